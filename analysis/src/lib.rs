@@ -2,6 +2,15 @@
 //!
 //! Nothing here knows of files, terminals or plots. See `ARCHITECTURE.md`.
 
+pub mod bernstein;
+pub mod cosine_series;
+pub mod fixed_point;
 pub mod kernel;
+pub mod lattice;
+pub mod margin;
 pub mod polynomial;
 pub mod rational;
+pub mod real_roots;
+pub mod scheme;
+pub mod stencil;
+pub mod symbol;

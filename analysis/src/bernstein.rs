@@ -1,0 +1,361 @@
+//! Exact sign decisions for polynomials on a box, by Bernstein coefficients in integer fixed point.
+//!
+//! A polynomial on `[0, 1]` is a convex combination of its Bernstein coefficients, so it is nowhere
+//! negative when none of them is. De Casteljau's algorithm halves the interval with additions and
+//! shifts only. Numbers are integers in a fixed unit; whatever is cut off is cut off downwards, so a
+//! coefficient here is never above the true one, and "nowhere negative" is a theorem.
+
+use crate::cosine_series::CosineSeries;
+use crate::margin::Margin;
+use crate::rational::{Rational, integer};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+/// How much work a decision took: counts, not seconds, so that tests can hold it down.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Boxes whose Bernstein coefficients were looked at.
+    pub boxes: usize,
+    /// Exact evaluations of the polynomial at a point.
+    pub evaluations: usize,
+}
+
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        self.boxes += other.boxes;
+        self.evaluations += other.evaluations;
+    }
+}
+
+/// The answer to "is the polynomial nowhere negative on the box?".
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// It is: proved.
+    NowhereNegative,
+    /// It is not: a corner of a box is negative beyond the rounding.
+    SomewhereNegative,
+    /// Not decided within the permitted number of boxes.
+    Undecided,
+}
+
+/// A margin `P(s, t) = Σ_j t^j p_j(s)` prepared for decisions: each `p_j` in scaled Bernstein form,
+/// `p_j(s) = Σ_i β_{j,i} s^i (1 − s)^{n−i}`, with integer `β`.
+#[derive(Debug, Clone)]
+pub struct MarginForm {
+    powers: Vec<Vec<BigInt>>,
+    radius: Vec<BigInt>,
+    binomials: Vec<BigInt>,
+}
+
+impl MarginForm {
+    /// Converts the cosine series of a margin.
+    pub fn new(margin: &Margin) -> Self {
+        let degree = margin.degree();
+        let powers =
+            margin.integer_series().iter().map(|series| scaled_bernstein(series, degree)).collect();
+        Self { powers, radius: margin.integer_radius().to_vec(), binomials: binomials(degree) }
+    }
+
+    /// The degree in `s`.
+    pub fn degree(&self) -> usize {
+        self.binomials.len() - 1
+    }
+
+    /// The polynomial in `t` at a fixed `s ∈ [0, 1]`, up to a positive factor, lowered (`-1`), kept (`0`)
+    /// or raised (`1`) by the uncertainty of the data.
+    pub fn at_phase_parameter(&self, s: &Rational, shift: i64) -> Vec<Rational> {
+        let (point, complement) = (s.numer(), s.denom() - s.numer());
+        let scale = s.denom().pow(self.degree() as u32);
+        self.powers
+            .iter()
+            .zip(&self.radius)
+            .map(|(coefficients, radius)| {
+                // Homogeneous Horner scheme: Σ β_i p^i r^{n−i}.
+                let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
+                for coefficient in coefficients.iter().rev() {
+                    sum = sum * point + coefficient * &power;
+                    power *= &complement;
+                }
+                Rational::new(sum + radius * shift * &scale, scale.clone())
+            })
+            .collect()
+    }
+
+    /// Decides whether `P` is nowhere negative on `0 ≤ s ≤ 1`, `from ≤ t ≤ to`, looking at no more than
+    /// `max_boxes` boxes.
+    pub fn sign(&self, from: &Rational, to: &Rational, max_boxes: usize) -> (Sign, Work) {
+        let first = self.first_box(from, to);
+        let mut work = Work::default();
+        let mut pending = vec![(first, 0u32)];
+        while let Some((current, depth)) = pending.pop() {
+            work.boxes += 1;
+            // Each of the `depth + 1` roundings lowered a number by less than one unit.
+            let rounding = -BigInt::from(depth + 1);
+            if current.iter().flatten().all(|value| !value.is_negative()) {
+                continue;
+            }
+            let corners = [&current[0], &current[current.len() - 1]];
+            if corners.iter().any(|row| row[0] < rounding || row[row.len() - 1] < rounding) {
+                return (Sign::SomewhereNegative, work);
+            }
+            if work.boxes + pending.len() >= max_boxes {
+                return (Sign::Undecided, work);
+            }
+            let (left, right) = halve(current);
+            pending.push((right, depth + 1));
+            pending.push((left, depth + 1));
+        }
+        (Sign::NowhereNegative, work)
+    }
+
+    /// Bernstein coefficients of `P` on the box, `[power of t][power of s]`, in fixed point.
+    fn first_box(&self, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
+        let degree = self.powers.len().saturating_sub(1);
+        let common = from.denom().lcm(to.denom());
+        let numerator = |end: &Rational| end.numer() * (&common / end.denom());
+        let (from, to) = (numerator(from), numerator(to));
+        let factor = binomials(degree).iter().fold(BigInt::one(), |all, value| all.lcm(value));
+        let choices = binomials(degree);
+        let mut rows = Vec::with_capacity(degree + 1);
+        for index in 0..=degree {
+            // Polar form: t^j becomes the j-th elementary symmetric mean of `to` (index times) and
+            // `from` (the other times).
+            let symmetric = elementary_symmetric(&from, degree - index, &to, index);
+            let weights: Vec<BigInt> = (0..=degree)
+                .map(|j| &symmetric[j] * (&factor / &choices[j]) * common.pow((degree - j) as u32))
+                .collect();
+            let row: Vec<BigInt> = (0..=self.degree())
+                .map(|i| {
+                    let total: BigInt =
+                        weights.iter().zip(&self.powers).map(|(w, power)| w * &power[i]).sum();
+                    // The margin of the data: the whole function may be lower by the radius, which in
+                    // scaled form is the radius times the binomial coefficient.
+                    let lowered: BigInt =
+                        weights.iter().zip(&self.radius).map(|(w, radius)| w * radius).sum();
+                    total - lowered * &self.binomials[i]
+                })
+                .collect();
+            rows.push(row);
+        }
+        self.in_fixed_point(rows)
+    }
+
+    /// Divides by the binomials and cuts to a unit far below the size of the polynomial: Bernstein
+    /// coefficients of degree `n` exceed the polynomial by less than `2^{3n/2}`, and 256 bits more are
+    /// far below any tolerance asked for.
+    fn in_fixed_point(&self, mut rows: Vec<Vec<BigInt>>) -> Vec<Vec<BigInt>> {
+        let wanted = 256 + 3 * self.degree() as i64 / 2;
+        let largest = rows
+            .iter()
+            .flat_map(|row| row.iter().zip(&self.binomials))
+            .map(|(value, binomial)| value.bits() as i64 - binomial.bits() as i64)
+            .max()
+            .unwrap_or(0);
+        let shift = wanted - largest;
+        for row in &mut rows {
+            for (value, binomial) in row.iter_mut().zip(&self.binomials) {
+                *value = if shift >= 0 {
+                    (std::mem::take(value) << shift as u64).div_floor(binomial)
+                } else {
+                    value.div_floor(&(binomial << (-shift) as u64))
+                };
+            }
+        }
+        rows
+    }
+}
+
+/// Splits a box at the middle of the `s`-interval by de Casteljau's algorithm on every row.
+fn halve(mut rows: Vec<Vec<BigInt>>) -> (Vec<Vec<BigInt>>, Vec<Vec<BigInt>>) {
+    let mut left_rows = Vec::with_capacity(rows.len());
+    for row in &mut rows {
+        let degree = row.len() - 1;
+        let mut left = Vec::with_capacity(row.len());
+        for level in 0..=degree {
+            // Sums instead of means: level r holds 2^r times the true coefficients.
+            left.push(&row[0] >> level as u64);
+            for index in 0..degree - level {
+                let (head, tail) = row.split_at_mut(index + 1);
+                head[index] += &tail[0];
+            }
+            // The last sum of the level is final: the right half's coefficient.
+            row[degree - level] >>= level as u64;
+        }
+        left_rows.push(left);
+    }
+    (left_rows, rows)
+}
+
+/// `[e_0, …, e_n]` of `m` copies of `a` and `k` copies of `b`.
+fn elementary_symmetric(a: &BigInt, m: usize, b: &BigInt, k: usize) -> Vec<BigInt> {
+    let mut sums = vec![BigInt::one()];
+    for value in std::iter::repeat_n(a, m).chain(std::iter::repeat_n(b, k)) {
+        sums.push(BigInt::zero());
+        for index in (1..sums.len()).rev() {
+            let product = &sums[index - 1] * value;
+            sums[index] += product;
+        }
+    }
+    sums
+}
+
+/// `[C(n, 0), …, C(n, n)]`.
+fn binomials(degree: usize) -> Vec<BigInt> {
+    let mut row = vec![BigInt::one()];
+    for index in 0..degree {
+        let next = &row[index] * (degree - index) / (index + 1);
+        row.push(next);
+    }
+    row
+}
+
+/// The `β_i` with `Σ_m r_m cos mφ = Σ_i β_i s^i (1 − s)^{n−i}`.
+fn scaled_bernstein(series: &CosineSeries<BigInt>, degree: usize) -> Vec<BigInt> {
+    let powers = series.in_powers_of_s();
+    // Σ a_i s^i (s + (1 − s))^{n−i}: Horner in the homogeneous form.
+    let mut scaled: Vec<BigInt> = Vec::with_capacity(degree + 1);
+    for index in 0..=degree {
+        // Multiply by (s + (1 − s)), then add a_i s^i.
+        scaled.push(BigInt::zero());
+        for j in (1..scaled.len()).rev() {
+            let (head, tail) = scaled.split_at_mut(j);
+            tail[0] += &head[j - 1];
+        }
+        scaled[index] += powers.coefficient(index);
+    }
+    scaled
+}
+
+/// Whether the polynomial in `t` with these coefficients is negative on the open interval
+/// `(from, to)`: all Bernstein coefficients at most zero, one of them below. `None` when the
+/// coefficients have both signs.
+pub fn is_negative_between(
+    coefficients: &[Rational],
+    from: &Rational,
+    to: &Rational,
+) -> Option<bool> {
+    let degree = coefficients.len().saturating_sub(1);
+    let width = to - from;
+    // Taylor coefficients about `from`, scaled to the unit interval.
+    let mut taylor = coefficients.to_vec();
+    for start in 0..degree {
+        for index in (start..degree).rev() {
+            let carried = &taylor[index + 1] * from;
+            taylor[index] += carried;
+        }
+    }
+    let mut power = integer(1);
+    for value in &mut taylor {
+        *value *= &power;
+        power *= &width;
+    }
+    let choices = binomials(degree);
+    let mut signs = (false, false);
+    for k in 0..=degree {
+        let row = binomials(k);
+        let value: Rational =
+            (0..=k).map(|i| &taylor[i] * Rational::new(row[i].clone(), choices[i].clone())).sum();
+        signs.0 |= value.is_positive();
+        signs.1 |= value.is_negative();
+    }
+    match signs {
+        (true, true) => None,
+        (positive, negative) => Some(negative && !positive),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::Kernel;
+    use crate::rational::{ratio, to_f64};
+    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use proptest::prelude::*;
+
+    fn margin(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> Margin {
+        Margin::new(&Discretisation::new(scheme, kernel, l).unwrap().symbol(), &integer(0))
+    }
+
+    #[test]
+    fn the_published_fractions_of_ratio_two_are_sharp() {
+        let form =
+            MarginForm::new(&margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2)));
+        let limit = ratio(15, 8);
+        assert_eq!(form.sign(&integer(0), &limit, 1000).0, Sign::NowhereNegative);
+        let above = &limit + ratio(1, 1 << 60);
+        assert_eq!(form.sign(&integer(0), &above, 1000).0, Sign::SomewhereNegative);
+    }
+
+    #[test]
+    fn the_exact_shift_is_nowhere_negative() {
+        let form =
+            MarginForm::new(&margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1)));
+        let (sign, work) = form.sign(&integer(1), &integer(1), 10);
+        assert_eq!((sign, work.boxes), (Sign::NowhereNegative, 1));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+        #[test]
+        fn evaluation_agrees_with_the_cosine_series(numerator in 5i64..40, at in 0i64..=64, t in 0i64..50) {
+            for scheme in AdvectionScheme::ALL {
+                let margin = margin(scheme, Kernel::CubicSpline, ratio(numerator, 10));
+                let form = MarginForm::new(&margin);
+                let (s, t) = (ratio(at, 64), ratio(t, 10));
+                let exact = Polynomial::new(form.at_phase_parameter(&s, 0)).evaluate(&t)
+                    / Rational::from(margin.denominator().clone());
+                let phase = 2.0 * to_f64(&s).sqrt().asin();
+                let mut values = Vec::new();
+                margin.compile().powers_at(phase, &mut values);
+                let float = values.iter().rev().fold(0.0, |sum, p| sum * to_f64(&t) + p);
+                let size: f64 = values.iter().rev().fold(0.0, |sum, p| sum * to_f64(&t) + p.abs());
+                // asin near 1 loses half the digits of s: the slope there is bounded by degree².
+                prop_assert!((to_f64(&exact) - float).abs() < 1e-7 * (1.0 + size));
+            }
+        }
+
+        #[test]
+        fn decisions_agree_with_dense_sampling(
+            coefficients in prop::collection::vec(-20i64..20, 1..7), lift in 0i64..60
+        ) {
+            // A random cosine series lifted by a constant: sampled on 2000 phases.
+            let mut values = coefficients;
+            values[0] += lift;
+            let series = CosineSeries::new(values.into_iter().map(BigInt::from).collect::<Vec<_>>());
+            let degree = series.coefficients().len().saturating_sub(1);
+            let form = MarginForm {
+                powers: vec![scaled_bernstein(&series, degree)],
+                radius: vec![BigInt::zero()],
+                binomials: binomials(degree),
+            };
+            let float = series.map(|value| to_f64(&Rational::from(value.clone())));
+            let lowest = (0..=2000)
+                .map(|i| float.at_cosine((f64::from(i) * std::f64::consts::PI / 2000.0).cos()))
+                .fold(f64::INFINITY, f64::min);
+            match form.sign(&integer(0), &integer(1), 100_000).0 {
+                Sign::NowhereNegative => prop_assert!(lowest >= -1e-12),
+                // The samples miss a minimum by at most (π/4000)² n² Σ|r|/2.
+                Sign::SomewhereNegative => prop_assert!(lowest < 1e-3),
+                Sign::Undecided => prop_assert!(lowest.abs() < 1e-3),
+            }
+        }
+
+        #[test]
+        fn univariate_signs(roots in prop::collection::vec(-20i64..20, 0..4), a in -20i64..20, b in 1i64..20) {
+            let p = roots.iter().fold(Polynomial::<Rational>::one(), |p, &root| {
+                p * Polynomial::new(vec![integer(-root), integer(1)])
+            });
+            let (from, to) = (integer(a), integer(a + b));
+            if let Some(negative) = is_negative_between(p.coefficients(), &from, &to) {
+                for i in 1..50 {
+                    let point = &from + (&to - &from) * ratio(i, 50);
+                    let value = p.evaluate(&point);
+                    prop_assert_eq!(negative, value.is_negative(), "at {}", point);
+                }
+            }
+        }
+    }
+
+    use crate::polynomial::Polynomial;
+}

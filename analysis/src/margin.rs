@@ -1,0 +1,388 @@
+//! The stability margin `(1 + ε)² − |g|²` as an exact polynomial in the Courant number and the phase,
+//! with the factors taken out that vanish trivially.
+
+use crate::cosine_series::CosineSeries;
+use crate::rational::{Rational, integer, to_f64};
+use crate::symbol::EnclosedSymbol;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+/// `(1 + ε)² − |g(φ)|² = s^a C^b Σ_j t^j p_j(φ)` with `s = (1 − cos φ)/2` and `t = C^stride`.
+///
+/// `s^a` is the factor every scheme has that keeps constants (`g(0) = 1`), taken out as often as it
+/// goes; `C^b` is there because nothing happens at `C = 0`; the stride is 2 where only even powers of
+/// `C` occur. What is left decides stability: the scheme is stable at `C` exactly when
+/// `P = Σ_j t^j p_j` is nowhere negative on `0 < φ ≤ π`.
+///
+/// The `p_j` are cosine series with integer coefficients over one common denominator.
+///
+/// ```
+/// use courant_analysis::{kernel::Kernel, margin::Margin, rational::integer};
+/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+/// let upwind = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
+/// let margin = Margin::new(&upwind.unwrap().symbol(), &integer(0));
+/// // 1 − |g|² = 4 s C (1 − C)
+/// assert_eq!((margin.phase_power(), margin.courant_power()), (1, 1));
+/// assert_eq!(margin.coefficient(0).at_zero(), integer(4));
+/// assert_eq!(margin.coefficient(1).at_zero(), integer(-4));
+/// ```
+#[derive(Debug, Clone)]
+pub struct Margin {
+    series: Vec<CosineSeries<BigInt>>,
+    radius: Vec<BigInt>,
+    denominator: BigInt,
+    phase_power: usize,
+    courant_power: usize,
+    stride: usize,
+    growth: Rational,
+}
+
+impl Margin {
+    /// The margin of a symbol for a permitted growth `ε ≥ 0` per step.
+    pub fn new(symbol: &EnclosedSymbol, growth: &Rational) -> Self {
+        let (mut series, denominator) = squared_gain(symbol);
+        let mut radius = squared_gain_radius(symbol);
+        radius.resize(series.len(), Rational::zero());
+
+        // (1 + ε)² − |g|² over the common denominator.
+        let budget = (growth + integer(1)) * (growth + integer(1));
+        let denominator_total = &denominator * budget.denom();
+        for (power, values) in series.iter_mut().enumerate() {
+            let mut negated: Vec<BigInt> =
+                values.coefficients().iter().map(|value| -value * budget.denom()).collect();
+            if power == 0 {
+                negated.resize(negated.len().max(1), BigInt::zero());
+                negated[0] += budget.numer() * &denominator;
+            }
+            *values = CosineSeries::new(negated);
+        }
+        let mut margin = Self {
+            series,
+            radius: radius
+                .iter()
+                .map(|value| {
+                    (value * Rational::from(denominator_total.clone())).ceil().to_integer()
+                })
+                .collect(),
+            denominator: denominator_total,
+            phase_power: 0,
+            courant_power: 0,
+            stride: 1,
+            growth: growth.clone(),
+        };
+        margin.take_out_courant_number();
+        if growth.is_zero() && symbol.keeps_constants() {
+            margin.take_out_phase();
+        }
+        margin
+    }
+
+    fn take_out_courant_number(&mut self) {
+        while self.series.last().is_some_and(CosineSeries::is_zero)
+            && self.radius.last().is_some_and(Zero::is_zero)
+        {
+            self.series.pop();
+            self.radius.pop();
+        }
+        let occupied: Vec<usize> = (0..self.series.len())
+            .filter(|&power| !self.series[power].is_zero() || !self.radius[power].is_zero())
+            .collect();
+        let Some(&first) = occupied.first() else { return };
+        let even = occupied.iter().all(|power| (power - first) % 2 == 0) && occupied.len() > 1;
+        self.courant_power = first;
+        self.stride = if even { 2 } else { 1 };
+        self.series = self.series.iter().skip(first).step_by(self.stride).cloned().collect();
+        self.radius = self.radius.iter().skip(first).step_by(self.stride).cloned().collect();
+    }
+
+    fn take_out_phase(&mut self) {
+        let exact = self.is_exact();
+        while !self.is_neutral() && (exact || self.phase_power == 0) {
+            let Some(divided) = self.series.iter().map(CosineSeries::divide_by_s).collect() else {
+                return;
+            };
+            // |cos mφ − 1|/s ≤ 2m², so an error of the series grows by at most twice its degree squared.
+            let stretch = BigInt::from(2 * self.degree() * self.degree());
+            self.radius.iter_mut().for_each(|radius| *radius *= &stretch);
+            self.series = divided;
+            self.phase_power += 1;
+        }
+    }
+
+    /// The power of `s = (1 − cos φ)/2` taken out.
+    pub fn phase_power(&self) -> usize {
+        self.phase_power
+    }
+
+    /// The power of `C` taken out.
+    pub fn courant_power(&self) -> usize {
+        self.courant_power
+    }
+
+    /// `t = C^stride`: 1 or 2.
+    pub fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// The permitted growth per step `ε`.
+    pub fn growth(&self) -> &Rational {
+        &self.growth
+    }
+
+    /// Whether the scheme is exactly neutral at every Courant number and phase: `|g| = 1`.
+    pub fn is_neutral(&self) -> bool {
+        self.series.iter().all(CosineSeries::is_zero) && self.is_exact()
+    }
+
+    /// Whether all coefficients are exact.
+    pub fn is_exact(&self) -> bool {
+        self.radius.iter().all(Zero::is_zero)
+    }
+
+    /// The number of powers of `t`.
+    pub fn powers(&self) -> usize {
+        self.series.len()
+    }
+
+    /// The degree in `cos φ`.
+    pub fn degree(&self) -> usize {
+        self.series
+            .iter()
+            .map(|series| series.coefficients().len().saturating_sub(1))
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// `p_j` as an exact cosine series.
+    pub fn coefficient(&self, power: usize) -> CosineSeries<Rational> {
+        self.series[power].map(|value| Rational::new(value.clone(), self.denominator.clone()))
+    }
+
+    /// The series `p_j` times [`denominator`](Self::denominator).
+    pub fn integer_series(&self) -> &[CosineSeries<BigInt>] {
+        &self.series
+    }
+
+    /// Bounds on how far each integer series may be from the true function.
+    pub fn integer_radius(&self) -> &[BigInt] {
+        &self.radius
+    }
+
+    /// The common denominator, positive.
+    pub fn denominator(&self) -> &BigInt {
+        &self.denominator
+    }
+
+    /// The numeric form, each coefficient correctly rounded.
+    pub fn compile(&self) -> CompiledMargin {
+        let series = (0..self.powers()).map(|power| self.coefficient(power).map(to_f64)).collect();
+        CompiledMargin {
+            series,
+            phase_power: self.phase_power as i32,
+            courant_power: self.courant_power as i32,
+            stride: self.stride as i32,
+            budget: (1.0 + to_f64(&self.growth)).powi(2),
+        }
+    }
+}
+
+/// [`Margin`] in `f64`. Near `φ = 0` it has no cancellation: the small factor stands outside.
+#[derive(Debug, Clone)]
+pub struct CompiledMargin {
+    series: Vec<CosineSeries<f64>>,
+    phase_power: i32,
+    courant_power: i32,
+    stride: i32,
+    budget: f64,
+}
+
+impl CompiledMargin {
+    /// `[p_0(φ), p_1(φ), …]` written into `values`; `phase` in radians.
+    pub fn powers_at(&self, phase: f64, values: &mut Vec<f64>) {
+        let cosine = phase.cos();
+        values.clear();
+        values.extend(self.series.iter().map(|series| series.at_cosine(cosine)));
+    }
+
+    /// The factor `s^a`.
+    pub fn phase_factor(&self, phase: f64) -> f64 {
+        (0.5 * phase).sin().powi(2 * self.phase_power)
+    }
+
+    /// The factor `C^b`.
+    pub fn courant_factor(&self, courant_number: f64) -> f64 {
+        courant_number.powi(self.courant_power)
+    }
+
+    /// `t = C^stride`.
+    pub fn parameter(&self, courant_number: f64) -> f64 {
+        courant_number.powi(self.stride)
+    }
+
+    /// The number of powers of `t`.
+    pub fn powers(&self) -> usize {
+        self.series.len()
+    }
+
+    /// The degree in `cos φ`.
+    pub fn degree(&self) -> usize {
+        self.series
+            .iter()
+            .map(|series| series.coefficients().len().saturating_sub(1))
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// `(1 + ε)² − |g(φ)|²`.
+    pub fn at(&self, courant_number: f64, phase: f64) -> f64 {
+        let (cosine, parameter) = (phase.cos(), self.parameter(courant_number));
+        let sum = self
+            .series
+            .iter()
+            .rev()
+            .fold(0.0, |sum, series| sum * parameter + series.at_cosine(cosine));
+        self.phase_factor(phase) * self.courant_factor(courant_number) * sum
+    }
+
+    /// `|g| − 1` without cancellation.
+    pub fn growth(&self, courant_number: f64, phase: f64) -> f64 {
+        growth_from_excess(self.budget - 1.0 - self.at(courant_number, phase))
+    }
+}
+
+/// `√(1 + x) − 1` without cancellation: `|g| − 1` from `x = |g|² − 1`.
+pub fn growth_from_excess(excess: f64) -> f64 {
+    let excess = excess.max(-1.0);
+    excess / (1.0 + (1.0 + excess).sqrt())
+}
+
+/// `|g|²` by power of `C` as integer cosine series over the returned denominator:
+/// `|Σ_k c_k e^{ikφ}|² = Σ_m (Σ_k c_k c_{k+m}) e^{−imφ}`.
+fn squared_gain(symbol: &EnclosedSymbol) -> (Vec<CosineSeries<BigInt>>, BigInt) {
+    let stencils = symbol.center().stencils();
+    let common = stencils
+        .iter()
+        .flat_map(|stencil| stencil.terms())
+        .fold(BigInt::one(), |common, (_, value)| common.lcm(value.denom()));
+    let scaled: Vec<Vec<(i64, BigInt)>> = stencils
+        .iter()
+        .map(|stencil| {
+            let terms = stencil.terms().filter(|(_, value)| !value.is_zero());
+            terms.map(|(k, value)| (k, value.numer() * (&common / value.denom()))).collect()
+        })
+        .collect();
+    let mut powers: Vec<Vec<BigInt>> = vec![Vec::new(); (2 * scaled.len()).saturating_sub(1)];
+    for (i, left) in scaled.iter().enumerate() {
+        for (j, right) in scaled.iter().enumerate().skip(i) {
+            let sums = &mut powers[i + j];
+            for (k, a) in left {
+                for (l, b) in right {
+                    let order = (k - l).unsigned_abs() as usize;
+                    if sums.len() <= order {
+                        sums.resize(order + 1, BigInt::zero());
+                    }
+                    // The mixed powers occur twice, once for each order of the factors.
+                    sums[order] += if i == j { a * b } else { (a * b) << 1 };
+                }
+            }
+        }
+    }
+    (powers.into_iter().map(CosineSeries::new).collect(), &common * &common)
+}
+
+/// Bounds on the error of `|g|²` by power of `C`, in the l1 norm of cosine coefficients, from
+/// `|ab − a₀b₀| ≤ |a₀| r_b + |b₀| r_a + r_a r_b` for the even and the odd parts.
+fn squared_gain_radius(symbol: &EnclosedSymbol) -> Vec<Rational> {
+    if symbol.is_exact() {
+        return Vec::new();
+    }
+    let stencils = symbol.center().stencils();
+    let norms = |sign: i64| -> Vec<Rational> {
+        let half_sums = stencils.iter().map(|stencil| {
+            let reach = stencil.reach().map_or(0, |(low, high)| low.abs().max(high.abs()));
+            (-reach..=reach).fold(Rational::zero(), |sum, k| {
+                let part = stencil.coefficient(k) + stencil.coefficient(-k) * integer(sign);
+                sum + part.abs() / integer(2)
+            })
+        });
+        half_sums.collect()
+    };
+    let mut total = vec![Rational::zero(); 2 * stencils.len() - 1];
+    for (norm, radius) in [(norms(1), symbol.even_radius()), (norms(-1), symbol.odd_radius())] {
+        for i in 0..stencils.len() {
+            for j in 0..stencils.len() {
+                total[i + j] +=
+                    &norm[i] * &radius[j] + &norm[j] * &radius[i] + &radius[i] * &radius[j];
+            }
+        }
+    }
+    total
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::Kernel;
+    use crate::rational::ratio;
+    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use proptest::prelude::*;
+
+    fn symbol(scheme: AdvectionScheme, kernel: Kernel, ratio: Rational) -> EnclosedSymbol {
+        Discretisation::new(scheme, kernel, ratio).unwrap().symbol()
+    }
+
+    #[test]
+    fn structure_is_recognised() {
+        let shape = |scheme, kernel, ratio| {
+            let margin = Margin::new(&symbol(scheme, kernel, ratio), &integer(0));
+            (margin.phase_power(), margin.courant_power(), margin.stride(), margin.powers())
+        };
+        use AdvectionScheme::{EulerSph, GodunovSph, LaxWendroffSph};
+        for kernel in Kernel::ALL {
+            assert_eq!(shape(GodunovSph, kernel, integer(2)), (1, 1, 1, 2), "{kernel}");
+        }
+        assert_eq!(shape(EulerSph, Kernel::Gaussian, integer(2)), (1, 2, 1, 1));
+        // Fully consistent: fourth order in φ. Not keeping constants: no factor at all.
+        assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, integer(2)), (2, 2, 2, 2));
+        assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, ratio(13, 10)), (0, 2, 2, 2));
+        assert_eq!(shape(LaxWendroffSph, Kernel::Gaussian, integer(2)), (0, 2, 2, 2));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        #[test]
+        fn the_margin_is_one_minus_the_squared_gain(
+            numerator in 5i64..60, courant_number in 0.0f64..5.0, phase in 0.0f64..3.2,
+            growth in 0i64..3
+        ) {
+            for scheme in AdvectionScheme::ALL {
+                for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
+                    let symbol = symbol(scheme, kernel, ratio(numerator, 10));
+                    let growth = ratio(growth, 10);
+                    let margin = Margin::new(&symbol, &growth).compile();
+                    let gain = symbol.center().compile().amplification(courant_number, phase);
+                    let direct = (1.0 + to_f64(&growth)).powi(2) - gain.norm_sqr();
+                    // Rounding of sums of moduli at most (1 + C)⁴.
+                    let tolerance = 1e-13 * (1.0 + courant_number).powi(4);
+                    prop_assert!((margin.at(courant_number, phase) - direct).abs() < tolerance);
+                    prop_assert!(
+                        (margin.growth(courant_number, phase) - (gain.norm() - 1.0)).abs()
+                            < tolerance.max(tolerance.sqrt() * f64::from(gain.norm() < 1e-6))
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn long_waves_lose_no_digits() {
+        // 1 − |g|² = 4 s C (1 − C) for the upwind scheme, at a phase where the difference of squares
+        // would have no digit left.
+        let upwind = symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
+        let margin = Margin::new(&upwind, &integer(0)).compile();
+        let phase = 1e-9;
+        let expected = 4.0 * (0.5 * phase as f64).sin().powi(2) * 0.25;
+        assert!((margin.at(0.5, phase) / expected - 1.0).abs() < 4.0 * f64::EPSILON);
+    }
+}
