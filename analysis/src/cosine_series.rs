@@ -60,6 +60,17 @@ impl<T: Ring> CosineSeries<T> {
         Some(Self::new(quotient))
     }
 
+    /// The quotient by `1 − s = (1 + cos φ)/2`; `None` when the series does not vanish at π.
+    pub fn divide_by_complement(&self) -> Option<Self> {
+        // φ → π − φ turns cos mφ into (−1)^m cos mφ and 1 − s into s.
+        Some(self.mirror().divide_by_s()?.mirror())
+    }
+
+    fn mirror(&self) -> Self {
+        let signed = self.coefficients.iter().enumerate();
+        Self::new(signed.map(|(m, r)| if m % 2 == 0 { r.clone() } else { -r.clone() }).collect())
+    }
+
     /// The same function as a polynomial in `s = (1 − cos φ)/2`, in powers of `s`.
     ///
     /// Clenshaw's recurrence with `2 cos φ = 2 − 4s`.
@@ -75,6 +86,29 @@ impl<T: Ring> CosineSeries<T> {
         }
         let constant = self.coefficients.first().cloned().unwrap_or_else(T::zero);
         cosine * first - second + Polynomial::constant(constant)
+    }
+
+    /// `4^n Σ_i a_i s^i` for a polynomial of degree at most `n`: the way back from
+    /// [`in_powers_of_s`](Self::in_powers_of_s) without fractions.
+    ///
+    /// Horner's rule with `4s cos mφ = 2 cos mφ − cos (m+1)φ − cos (m−1)φ`.
+    pub fn from_powers_of_s(polynomial: &Polynomial<T>, n: usize) -> Self {
+        let four = (T::one() + T::one()) * (T::one() + T::one());
+        let mut power = T::one();
+        let mut series: Vec<T> = vec![T::zero(); n + 2];
+        for degree in (0..=n).rev() {
+            let mut next = vec![T::zero(); n + 2];
+            for (m, value) in series.iter().enumerate().take(n + 1 - degree) {
+                next[m] = next[m].clone() + value.clone() + value.clone();
+                next[m + 1] = next[m + 1].clone() - value.clone();
+                let below = m.abs_diff(1);
+                next[below] = next[below].clone() - value.clone();
+            }
+            next[0] = next[0].clone() + polynomial.coefficient(degree) * power.clone();
+            series = next;
+            power = power * four.clone();
+        }
+        Self::new(series)
     }
 
     /// Every coefficient passed through `change`, which may change the ring.
@@ -129,6 +163,14 @@ mod tests {
         }
 
         #[test]
+        fn powers_of_s_lead_back(coefficients in series()) {
+            let series = CosineSeries::new(coefficients);
+            let n = series.coefficients().len();
+            let back = CosineSeries::from_powers_of_s(&series.in_powers_of_s(), n);
+            prop_assert_eq!(back, series.map(|&r| r * 4i64.pow(n as u32)));
+        }
+
+        #[test]
         fn the_factor_s_comes_out_exactly(coefficients in series()) {
             let quotient = CosineSeries::new(coefficients);
             // Multiply by s = 1/2 − cos φ/2 on the other road: powers of s shifted by one.
@@ -142,8 +184,15 @@ mod tests {
                 }
                 values
             };
+            let product_for_mirror = product.clone();
             let divided = CosineSeries::new(product).divide_by_s().unwrap();
             prop_assert_eq!(divided, quotient.map(|&r| 4 * r));
+            // The other end is the mirror image: s q(s) = (1 − s') q'(s').
+            let mirrored = CosineSeries::new(quotient.coefficients().iter().zip(0i64..)
+                .map(|(&r, m)| if m % 2 == 0 { 4 * r } else { -4 * r }).collect());
+            let product_mirrored = CosineSeries::new(product_for_mirror)
+                .mirror().divide_by_complement().unwrap();
+            prop_assert_eq!(product_mirrored, mirrored);
         }
 
         #[test]

@@ -3,10 +3,12 @@
 //! Nothing here knows of files, terminals or plots. See `ARCHITECTURE.md`.
 
 pub mod bernstein;
+pub mod common_factor;
 pub mod cosine_series;
 pub mod fixed_point;
 pub mod kernel;
 pub mod lattice;
+pub mod limit;
 pub mod margin;
 pub mod polynomial;
 pub mod rational;

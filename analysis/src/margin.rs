@@ -1,19 +1,21 @@
 //! The stability margin `(1 + ε)² − |g|²` as an exact polynomial in the Courant number and the phase,
 //! with the factors taken out that vanish trivially.
 
+use crate::common_factor::common_square_root;
 use crate::cosine_series::CosineSeries;
-use crate::rational::{Rational, integer, to_f64};
+use crate::polynomial::Polynomial;
+use crate::rational::{Rational, integer, ratio, to_f64};
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-/// `(1 + ε)² − |g(φ)|² = s^a C^b Σ_j t^j p_j(φ)` with `s = (1 − cos φ)/2` and `t = C^stride`.
+/// `(1 + ε)² − |g(φ)|² = s^a (1 − s)^b H(φ)² C^c Σ_j t^j p_j(φ)` with `s = (1 − cos φ)/2` and `t = C^stride`.
 ///
 /// `s^a` is the factor every scheme has that keeps constants (`g(0) = 1`), taken out as often as it
-/// goes; `C^b` is there because nothing happens at `C = 0`; the stride is 2 where only even powers of
+/// goes; `(1 − s)^b` is there when the shortest wave is neutral whatever the Courant number; `C^c` is there because nothing happens at `C = 0`; the stride is 2 where only even powers of
 /// `C` occur. What is left decides stability: the scheme is stable at `C` exactly when
-/// `P = Σ_j t^j p_j` is nowhere negative on `0 < φ ≤ π`.
+/// `P = Σ_j t^j p_j` is nowhere negative on `0 < φ < π`, nor at π.
 ///
 /// The `p_j` are cosine series with integer coefficients over one common denominator.
 ///
@@ -33,6 +35,8 @@ pub struct Margin {
     radius: Vec<BigInt>,
     denominator: BigInt,
     phase_power: usize,
+    complement_power: usize,
+    neutral_waves: Polynomial<Rational>,
     courant_power: usize,
     stride: usize,
     growth: Rational,
@@ -67,6 +71,8 @@ impl Margin {
                 .collect(),
             denominator: denominator_total,
             phase_power: 0,
+            complement_power: 0,
+            neutral_waves: Polynomial::one(),
             courant_power: 0,
             stride: 1,
             growth: growth.clone(),
@@ -75,6 +81,8 @@ impl Margin {
         if growth.is_zero() && symbol.keeps_constants() {
             margin.take_out_phase();
         }
+        margin.take_out_complement();
+        margin.take_out_neutral_waves();
         margin
     }
 
@@ -110,9 +118,60 @@ impl Margin {
         }
     }
 
+    fn take_out_complement(&mut self) {
+        while !self.is_neutral() && self.is_exact() {
+            let divided = self.series.iter().map(CosineSeries::divide_by_complement).collect();
+            let Some(divided) = divided else { return };
+            self.series = divided;
+            self.complement_power += 1;
+        }
+    }
+
+    fn take_out_neutral_waves(&mut self) {
+        if !self.is_exact() || self.is_neutral() || self.degree() < 2 {
+            return;
+        }
+        let powers: Vec<Polynomial<Rational>> = self
+            .series
+            .iter()
+            .map(|series| series.in_powers_of_s().map(|value| Rational::from(value.clone())))
+            .collect();
+        let root = common_square_root(&powers);
+        if root.degree() < Some(1) {
+            return;
+        }
+        let square = root.pow(2);
+        let quotients: Vec<_> = powers.iter().map(|power| power.divide(&square).0).collect();
+        let common = quotients
+            .iter()
+            .flat_map(Polynomial::coefficients)
+            .fold(BigInt::one(), |all, value| all.lcm(value.denom()));
+        let degree = self.degree() - 2 * root.degree().unwrap_or(0);
+        self.series = quotients
+            .iter()
+            .map(|quotient| {
+                let integers = quotient.map(|v| v.numer() * (&common / v.denom()));
+                CosineSeries::from_powers_of_s(&integers, degree)
+            })
+            .collect();
+        self.denominator *= common << (2 * degree);
+        self.neutral_waves = root;
+    }
+
+    /// The polynomial `H` in powers of `s` whose square was taken out: it vanishes at the waves that are
+    /// neutral at every Courant number. 1 when there are none.
+    pub fn neutral_waves(&self) -> &Polynomial<Rational> {
+        &self.neutral_waves
+    }
+
     /// The power of `s = (1 − cos φ)/2` taken out.
     pub fn phase_power(&self) -> usize {
         self.phase_power
+    }
+
+    /// The power of `1 − s = (1 + cos φ)/2` taken out.
+    pub fn complement_power(&self) -> usize {
+        self.complement_power
     }
 
     /// The power of `C` taken out.
@@ -180,6 +239,13 @@ impl Margin {
         CompiledMargin {
             series,
             phase_power: self.phase_power as i32,
+            complement_power: self.complement_power as i32,
+            neutral_waves: {
+                let degree = self.neutral_waves.degree().unwrap_or(0);
+                let scale = ratio(1, 4).pow(degree as i32);
+                CosineSeries::from_powers_of_s(&self.neutral_waves, degree)
+                    .map(|value| to_f64(&(value * &scale)))
+            },
             courant_power: self.courant_power as i32,
             stride: self.stride as i32,
             budget: (1.0 + to_f64(&self.growth)).powi(2),
@@ -192,6 +258,8 @@ impl Margin {
 pub struct CompiledMargin {
     series: Vec<CosineSeries<f64>>,
     phase_power: i32,
+    complement_power: i32,
+    neutral_waves: CosineSeries<f64>,
     courant_power: i32,
     stride: i32,
     budget: f64,
@@ -205,12 +273,15 @@ impl CompiledMargin {
         values.extend(self.series.iter().map(|series| series.at_cosine(cosine)));
     }
 
-    /// The factor `s^a`.
+    /// The factor `s^a (1 − s)^b H²`.
     pub fn phase_factor(&self, phase: f64) -> f64 {
-        (0.5 * phase).sin().powi(2 * self.phase_power)
+        let (sine, cosine) = (0.5 * phase).sin_cos();
+        sine.powi(2 * self.phase_power)
+            * cosine.powi(2 * self.complement_power)
+            * self.neutral_waves.at_cosine(phase.cos()).powi(2)
     }
 
-    /// The factor `C^b`.
+    /// The factor `C^c`.
     pub fn courant_factor(&self, courant_number: f64) -> f64 {
         courant_number.powi(self.courant_power)
     }
@@ -324,7 +395,6 @@ fn squared_gain_radius(symbol: &EnclosedSymbol) -> Vec<Rational> {
 mod tests {
     use super::*;
     use crate::kernel::Kernel;
-    use crate::rational::ratio;
     use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
     use proptest::prelude::*;
 
@@ -347,6 +417,13 @@ mod tests {
         assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, integer(2)), (2, 2, 2, 2));
         assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, ratio(13, 10)), (0, 2, 2, 2));
         assert_eq!(shape(LaxWendroffSph, Kernel::Gaussian, integer(2)), (0, 2, 2, 2));
+        // At ratio 2 the cubic spline does not see the shortest wave: g(π) = 1 at every C.
+        let cubic = symbol(LaxWendroffSph, Kernel::CubicSpline, integer(2));
+        assert_eq!(Margin::new(&cubic, &integer(0)).complement_power(), 2);
+        // At ratio 3 it does not see φ = 2π/3, s = 3/4, and sees nothing of it to fourth order.
+        let cubic = symbol(LaxWendroffSph, Kernel::CubicSpline, integer(3));
+        let neutral = Margin::new(&cubic, &integer(0)).neutral_waves().clone();
+        assert!(neutral.evaluate(&ratio(3, 4)).is_zero(), "{neutral:?}");
     }
 
     proptest! {

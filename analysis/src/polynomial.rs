@@ -104,6 +104,27 @@ impl<T: Ring> Polynomial<T> {
     }
 }
 
+impl Polynomial<crate::rational::Rational> {
+    /// Quotient and remainder of the division by a non-zero polynomial.
+    ///
+    /// # Panics
+    /// When `divisor` is zero.
+    pub fn divide(&self, divisor: &Self) -> (Self, Self) {
+        let degree = divisor.degree().expect("a polynomial is divided by a non-zero one");
+        let leading = &divisor.coefficients[degree];
+        let mut rest = self.coefficients.clone();
+        let mut quotient = vec![Zero::zero(); (rest.len() + 1).saturating_sub(degree + 1)];
+        for shift in (0..quotient.len()).rev() {
+            let factor = &rest[shift + degree] / leading;
+            for (target, value) in rest[shift..].iter_mut().zip(&divisor.coefficients) {
+                *target -= &factor * value;
+            }
+            quotient[shift] = factor;
+        }
+        (Self::new(quotient), Self::new(rest))
+    }
+}
+
 impl<T: Ring> Add for Polynomial<T> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -167,6 +188,7 @@ impl<T: Ring> One for Polynomial<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rational::integer;
     use proptest::prelude::*;
 
     fn polynomial() -> impl Strategy<Value = Polynomial<i64>> {
@@ -192,6 +214,15 @@ mod tests {
             prop_assert_eq!((p.clone() * q.clone()).evaluate(&t), p.evaluate(&t) * q.evaluate(&t));
             prop_assert_eq!((p.clone() + q.clone()).evaluate(&t), p.evaluate(&t) + q.evaluate(&t));
             prop_assert_eq!(p.compose(&q).evaluate(&t), p.evaluate(&q.evaluate(&t)));
+        }
+
+        #[test]
+        fn division_is_undone_by_multiplication(p in polynomial(), q in polynomial()) {
+            prop_assume!(!q.is_zero());
+            let (p, q) = (p.map(|&v| integer(v)), q.map(|&v| integer(v)));
+            let (quotient, rest) = p.divide(&q);
+            prop_assert!(rest.degree() < q.degree() || rest.is_zero());
+            prop_assert_eq!(quotient * q + rest, p);
         }
 
         #[test]

@@ -71,14 +71,14 @@ impl SturmChain {
             let [.., before, last] = chain.as_slice() else {
                 unreachable!("the chain starts with two")
             };
-            let next = primitive(&-divide(before, last).1);
+            let next = primitive(&-before.divide(last).1);
             chain.push(next);
         }
         chain.retain(|polynomial| !polynomial.is_zero());
         // The last one is the common divisor of p and p'. Without it multiple roots are simple, and
         // the count holds even where an end of the interval is a multiple root.
         if let Some(common) = chain.last().cloned().filter(|last| last.degree() > Some(0)) {
-            chain.iter_mut().for_each(|polynomial| *polynomial = divide(polynomial, &common).0);
+            chain.iter_mut().for_each(|polynomial| *polynomial = polynomial.divide(&common).0);
         }
         Self { chain }
     }
@@ -135,22 +135,6 @@ fn primitive(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
         },
     );
     polynomial.scale(&Rational::new(denominator, numerator))
-}
-
-/// Quotient and remainder of the division of `dividend` by a non-zero `divisor`.
-fn divide(
-    dividend: &Polynomial<Rational>,
-    divisor: &Polynomial<Rational>,
-) -> (Polynomial<Rational>, Polynomial<Rational>) {
-    let degree = divisor.degree().expect("the divisor is not zero");
-    let leading = divisor.coefficient(degree);
-    let (mut quotient, mut rest) = (Polynomial::zero(), dividend.clone());
-    while let Some(top) = rest.degree().filter(|&top| top >= degree) {
-        let factor = Polynomial::monomial(rest.coefficient(top) / &leading, top - degree);
-        rest = rest - divisor.clone() * factor.clone();
-        quotient = quotient + factor;
-    }
-    (quotient, rest)
 }
 
 #[cfg(test)]

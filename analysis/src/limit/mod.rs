@@ -1,0 +1,257 @@
+//! Limits on the Courant number, each with its evidence.
+
+mod critical;
+mod monotonicity;
+mod sampled;
+mod stability;
+
+pub use monotonicity::monotonicity_limit;
+pub use sampled::{phase_grid, sampled_stability_limit};
+pub use stability::{StableInterval, StableSet, growth_limit, stability_limit, stable_set};
+
+use crate::rational::{Rational, to_f64, to_f64_above, to_f64_below, to_text};
+use num_bigint::BigInt;
+use num_traits::{Signed, Zero};
+
+/// What stands behind a limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Evidence {
+    /// The sign of the polynomial was decided in exact arithmetic on both sides of the limit.
+    Proved,
+    /// The same, with coefficients that are themselves enclosures (the Gaussian).
+    Enclosed,
+    /// Looked at on this many phases; the true limit is lower or equal.
+    Sampled {
+        /// How many phases were looked at.
+        phases: usize,
+    },
+}
+
+impl Evidence {
+    /// The word used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Proved => "proved",
+            Self::Enclosed => "enclosed",
+            Self::Sampled { .. } => "sampled",
+        }
+    }
+}
+
+/// Which wave sets a limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// `φ → 0`.
+    LongWave,
+    /// A phase strictly between 0 and π.
+    Interior,
+    /// `φ = π`, two particles per wavelength.
+    ShortestWave,
+}
+
+impl Cause {
+    /// The word used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LongWave => "long-wave",
+            Self::Interior => "interior",
+            Self::ShortestWave => "shortest-wave",
+        }
+    }
+
+    fn of_phase(phase: f64) -> Self {
+        if phase <= 0.0 {
+            Self::LongWave
+        } else if phase >= std::f64::consts::PI {
+            Self::ShortestWave
+        } else {
+            Self::Interior
+        }
+    }
+}
+
+/// A number known in closed form.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ExactValue {
+    /// A fraction.
+    Fraction(Rational),
+    /// The square root of a positive fraction that is no square.
+    SquareRoot(Rational),
+}
+
+impl ExactValue {
+    /// `√square`, as a fraction when it is one.
+    fn square_root(square: Rational) -> Self {
+        let root = |value: &BigInt| {
+            let root = value.sqrt();
+            (&root * &root == *value).then_some(root)
+        };
+        match (root(square.numer()), root(square.denom())) {
+            (Some(numerator), Some(denominator)) => {
+                Self::Fraction(Rational::new(numerator, denominator))
+            }
+            _ => Self::SquareRoot(square),
+        }
+    }
+
+    /// The fraction, if it is one.
+    pub fn as_fraction(&self) -> Option<&Rational> {
+        match self {
+            Self::Fraction(value) => Some(value),
+            Self::SquareRoot(_) => None,
+        }
+    }
+
+    /// As LaTeX.
+    pub fn to_latex(&self) -> String {
+        match self {
+            Self::Fraction(value) => crate::rational::to_latex(value),
+            Self::SquareRoot(square) => format!("\\sqrt{{{}}}", crate::rational::to_latex(square)),
+        }
+    }
+}
+
+impl std::fmt::Display for ExactValue {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Fraction(value) => formatter.pad(&to_text(value)),
+            Self::SquareRoot(square) => formatter.pad(&format!("sqrt({})", to_text(square))),
+        }
+    }
+}
+
+/// A Courant number where stability or monotonicity ends, with an enclosure and its evidence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    lower: f64,
+    upper: f64,
+    exact: Option<ExactValue>,
+    evidence: Evidence,
+    critical_phase: Option<f64>,
+    binding_offset: Option<i64>,
+}
+
+impl Limit {
+    /// No limit was met up to `range_end`: the property holds at least so far.
+    fn beyond(range_end: &Rational, evidence: Evidence) -> Self {
+        Self {
+            lower: to_f64_below(range_end),
+            upper: f64::INFINITY,
+            exact: None,
+            evidence,
+            critical_phase: None,
+            binding_offset: None,
+        }
+    }
+
+    fn exactly(value: ExactValue, evidence: Evidence) -> Self {
+        let (lower, upper) = match &value {
+            ExactValue::Fraction(value) => (to_f64_below(value), to_f64_above(value)),
+            ExactValue::SquareRoot(square) => square_root_enclosure(square, square),
+        };
+        Self {
+            lower,
+            upper,
+            exact: Some(value),
+            evidence,
+            critical_phase: None,
+            binding_offset: None,
+        }
+    }
+
+    fn between(lower: f64, upper: f64, evidence: Evidence) -> Self {
+        Self { lower, upper, exact: None, evidence, critical_phase: None, binding_offset: None }
+    }
+
+    fn at_phase(self, phase: f64) -> Self {
+        Self { critical_phase: Some(phase), ..self }
+    }
+
+    fn at_offset(self, offset: i64) -> Self {
+        Self { binding_offset: Some(offset), ..self }
+    }
+
+    /// The best single number: the exact value rounded, or the middle of the enclosure. Infinite when
+    /// no limit was met in the range looked at; [`lower`](Self::lower) is then the end of that range.
+    pub fn value(&self) -> f64 {
+        match &self.exact {
+            Some(ExactValue::Fraction(value)) => to_f64(value),
+            _ if self.upper.is_infinite() => f64::INFINITY,
+            _ => self.lower + 0.5 * (self.upper - self.lower),
+        }
+    }
+
+    /// The property holds from 0 up to here.
+    pub fn lower(&self) -> f64 {
+        self.lower
+    }
+
+    /// The property is lost above here.
+    pub fn upper(&self) -> f64 {
+        self.upper
+    }
+
+    /// The closed form, where there is one.
+    pub fn exact(&self) -> Option<&ExactValue> {
+        self.exact.as_ref()
+    }
+
+    /// What stands behind the number.
+    pub fn evidence(&self) -> Evidence {
+        self.evidence
+    }
+
+    /// The phase of the wave that binds, in radians; for a limit of 0 the wave that grows fastest as
+    /// `C → 0`.
+    pub fn critical_phase(&self) -> Option<f64> {
+        self.critical_phase
+    }
+
+    /// Which wave binds.
+    pub fn cause(&self) -> Option<Cause> {
+        self.critical_phase.map(Cause::of_phase)
+    }
+
+    /// For monotonicity: the offset of the coefficient that turns negative.
+    pub fn binding_offset(&self) -> Option<i64> {
+        self.binding_offset
+    }
+
+    /// Whether there is a positive Courant number below the limit.
+    pub fn is_positive(&self) -> bool {
+        self.lower > 0.0
+    }
+}
+
+/// Outward-rounded square roots of an enclosure of a non-negative number.
+fn square_root_enclosure(lower: &Rational, upper: &Rational) -> (f64, f64) {
+    // The integer square root of numerator·denominator·4^b over denominator·2^b, cut downwards.
+    let root = |value: &Rational, round_up: bool| {
+        if !value.is_positive() {
+            return Rational::zero();
+        }
+        let scaled: BigInt = (value.numer() * value.denom()) << 240u32;
+        let root = scaled.sqrt() + i32::from(round_up);
+        Rational::new(root, value.denom() << 120u32)
+    };
+    (to_f64_below(&root(lower, false)), to_f64_above(&root(upper, true)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rational::ratio;
+
+    #[test]
+    fn square_roots_are_recognised_and_enclosed() {
+        assert_eq!(ExactValue::square_root(ratio(9, 4)).to_string(), "3/2");
+        assert_eq!(ExactValue::square_root(ratio(8, 3)).to_string(), "sqrt(8/3)");
+        let limit = Limit::exactly(ExactValue::square_root(ratio(2, 1)), Evidence::Proved);
+        assert!(limit.lower() <= 2f64.sqrt() && 2f64.sqrt() <= limit.upper());
+        assert!(limit.upper() <= limit.lower().next_up());
+        assert_eq!(
+            Limit::exactly(ExactValue::square_root(ratio(4, 1)), Evidence::Proved).value(),
+            2.0
+        );
+    }
+}

@@ -1,0 +1,160 @@
+//! The largest Courant number up to which every coefficient of the scheme is non-negative, so that new
+//! values are averages of old ones: Ferrari et al. 2008 (2.24).
+
+use super::{Evidence, ExactValue, Limit};
+use crate::polynomial::Polynomial;
+use crate::rational::{Rational, integer, to_f64_above, to_f64_below};
+use crate::real_roots::{RealRoot, real_roots};
+use crate::symbol::EnclosedSymbol;
+use num_traits::{Signed, Zero};
+
+/// Roots are enclosed to this many bits of their size before they are rounded outwards to `f64`.
+const ROOT_BITS: u32 = 70;
+
+/// The monotonicity limit within `[0, max_courant]`; value 0 when a coefficient is negative for every
+/// small positive Courant number. [`Limit::binding_offset`] names the coefficient that binds.
+///
+/// ```
+/// use courant_analysis::{kernel::Kernel, limit::monotonicity_limit, rational::integer};
+/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+/// let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
+/// let limit = monotonicity_limit(&scheme.unwrap().symbol(), &integer(10));
+/// assert_eq!(limit.exact().unwrap().to_string(), "8/5");
+/// assert_eq!(limit.binding_offset(), Some(0));
+/// ```
+pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Limit {
+    let evidence = if symbol.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
+    let (low, high) = symbol.center().reach().unwrap_or((0, 0));
+    // A coefficient is half the sum of an even and an odd part, each within its radius.
+    let radius: Vec<Rational> = symbol
+        .even_radius()
+        .iter()
+        .zip(symbol.odd_radius())
+        .map(|(even, odd)| even + odd)
+        .collect();
+    let mut binding: Option<(i64, RealRoot)> = None;
+    for offset in low..=high {
+        let coefficient = symbol.center().coefficient(offset);
+        if coefficient.is_zero() {
+            continue;
+        }
+        let end = binding.as_ref().map_or(max_courant, |(_, root)| &root.upper);
+        let Some(root) = first_negative(&coefficient, &radius, end) else { continue };
+        if binding.as_ref().is_none_or(|(_, best)| root.lower < best.lower) {
+            binding = Some((offset, root));
+        }
+    }
+    let Some((offset, root)) = binding else { return Limit::beyond(max_courant, evidence) };
+    let limit = match root.exact() {
+        Some(value) if symbol.is_exact() || value.is_zero() => {
+            Limit::exactly(ExactValue::Fraction(value.clone()), evidence)
+        }
+        _ => Limit::between(to_f64_below(&root.lower), to_f64_above(&root.upper), evidence),
+    };
+    limit.at_offset(offset)
+}
+
+/// Encloses the smallest `C ∈ [0, end)` above which the polynomial is negative, if there is one.
+fn first_negative(
+    coefficient: &Polynomial<Rational>,
+    radius: &[Rational],
+    end: &Rational,
+) -> Option<RealRoot> {
+    let shifted = |sign: i64| {
+        // Powers without a coefficient have none for structural reasons: no error there.
+        let values = coefficient.coefficients().iter().zip(radius).map(|(value, radius)| {
+            if value.is_zero() { value.clone() } else { value + radius * integer(sign) }
+        });
+        Polynomial::new(values.collect())
+    };
+    let lower = first_sign_change(&shifted(-1), end);
+    let upper = first_sign_change(&shifted(1), end);
+    match (lower, upper) {
+        (None, _) => None,
+        (Some(lower), Some(upper)) => Some(RealRoot { lower: lower.lower, upper: upper.upper }),
+        (Some(lower), None) => Some(RealRoot { lower: lower.lower, upper: end.clone() }),
+    }
+}
+
+/// The first point of `[0, end)` from which the polynomial goes negative.
+fn first_sign_change(polynomial: &Polynomial<Rational>, end: &Rational) -> Option<RealRoot> {
+    let lowest = polynomial.coefficients().iter().find(|value| !value.is_zero())?;
+    if lowest.is_negative() {
+        return Some(RealRoot { lower: Rational::zero(), upper: Rational::zero() });
+    }
+    let roots = real_roots(polynomial, &Rational::zero(), end, ROOT_BITS);
+    for (index, root) in roots.iter().enumerate() {
+        let next = roots.get(index + 1).map_or(end, |next| &next.lower);
+        let beyond = (&root.upper + next) / integer(2);
+        if beyond > root.upper && polynomial.evaluate(&beyond).is_negative() {
+            return Some(root.clone());
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::Kernel;
+    use crate::rational::{ratio, to_f64};
+    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use crate::stencil::Stencil;
+    use crate::symbol::Symbol;
+    use proptest::prelude::*;
+
+    fn limit(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> Limit {
+        monotonicity_limit(&Discretisation::new(scheme, kernel, l).unwrap().symbol(), &integer(100))
+    }
+
+    #[test]
+    fn lax_wendroff_and_euler_are_never_monotone() {
+        for scheme in [AdvectionScheme::LaxWendroffSph, AdvectionScheme::EulerSph] {
+            for kernel in Kernel::ALL {
+                let limit = limit(scheme, kernel, ratio(3, 2));
+                assert_eq!(limit.value(), 0.0, "{scheme} {kernel}");
+                assert!(!limit.is_positive());
+            }
+        }
+    }
+
+    #[test]
+    fn the_exact_shift_is_monotone_to_one() {
+        let limit = limit(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
+        assert_eq!(limit.exact().unwrap().to_string(), "1");
+        assert_eq!(limit.evidence(), Evidence::Proved);
+    }
+
+    #[test]
+    fn a_coefficient_that_touches_zero_does_not_bind() {
+        // c_1 = C (C − 1)², c_0 = 2 − C: the touch at 1 passes, the crossing at 2 binds.
+        let touching = [integer(1), integer(-2), integer(1)];
+        let symbol = touching.into_iter().enumerate().fold(
+            Symbol::courant_power(0, Stencil::term(0, integer(2)))
+                - Symbol::courant_power(1, Stencil::term(0, integer(1))),
+            |sum, (power, value)| sum + Symbol::courant_power(power + 1, Stencil::term(1, value)),
+        );
+        let limit = monotonicity_limit(&EnclosedSymbol::exact(symbol), &integer(10));
+        assert_eq!((limit.value(), limit.binding_offset()), (2.0, Some(0)));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+        #[test]
+        fn godunov_is_the_inverse_of_twice_the_sum(numerator in 6i64..120) {
+            let l = ratio(numerator, 10);
+            for kernel in Kernel::ALL {
+                let limit = limit(AdvectionScheme::GodunovSph, kernel, l.clone());
+                let sum: f64 = (1..400)
+                    .map(|k| {
+                        let q = f64::from(k) * 10.0 / numerator as f64;
+                        let inside = integer(k.into()) <= kernel.exact_support() * &l;
+                        if inside { -kernel.slope(q.min(kernel.support())) } else { 0.0 }
+                    })
+                    .sum::<f64>() / to_f64(&l).powi(2);
+                prop_assert!((limit.value() * 2.0 * sum - 1.0).abs() < 1e-13, "{} {}", kernel, l);
+                prop_assert!(limit.upper() - limit.lower() <= 1e-15 * limit.value());
+            }
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! Stability looked at on a finite set of phases: what the literature does, and what goes wrong.
+
+use super::critical::sampled_unstable_set;
+use super::{Evidence, Limit};
+use crate::margin::Margin;
+use crate::rational::{Rational, to_f64};
+use crate::symbol::EnclosedSymbol;
+
+/// The phases `0, step, 2 step, …` up to and including π, in radians.
+///
+/// ```
+/// use courant_analysis::limit::phase_grid;
+/// assert_eq!(phase_grid(0.1).len(), 32);   // 0, 0.1, …, 3.1
+/// ```
+///
+/// # Panics
+/// When `step` is not positive.
+pub fn phase_grid(step: f64) -> Vec<f64> {
+    assert!(step > 0.0, "a phase grid needs a positive step");
+    let last = (std::f64::consts::PI / step * (1.0 + 4.0 * f64::EPSILON)).floor() as usize;
+    (0..=last).map(|index| (index as f64 * step).min(std::f64::consts::PI)).collect()
+}
+
+/// The largest Courant number in `[0, max_courant]` up to which `|g| ≤ 1` at every given phase.
+///
+/// The true limit is at most this. A phase of exactly zero says nothing about a scheme that keeps
+/// constants, because `g(0) = 1` whatever the Courant number; it is passed over.
+pub fn sampled_stability_limit(
+    symbol: &EnclosedSymbol,
+    phases: &[f64],
+    max_courant: &Rational,
+) -> Limit {
+    let margin = Margin::new(symbol, &Rational::from_integer(0.into()));
+    let evidence = Evidence::Sampled { phases: phases.len() };
+    let compiled = margin.compile();
+    let useful = phases.iter().copied().filter(|&phase| phase > 0.0 || margin.phase_power() == 0);
+    let max_parameter = compiled.parameter(to_f64(max_courant));
+    match sampled_unstable_set(&compiled, useful, max_parameter).first() {
+        None => Limit::beyond(max_courant, evidence),
+        Some(first) => {
+            let value = first.from.parameter.powf(1.0 / margin.stride() as f64);
+            Limit::between(value, value, evidence).at_phase(first.from.phase)
+        }
+    }
+}
