@@ -309,3 +309,6 @@ fn bend(a: Point, c: Point, d: Point, b: Point, pull: f64) -> impl Iterator<Item
         })
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -86,8 +86,11 @@ impl ColorBar {
     /// Draws the bar level between two abscissae, its upper side at `top`.
     pub(super) fn draw_below(&self, scene: &mut Scene, top: f64, left: f64, right: f64) {
         let bottom = top + BAR_BREADTH;
-        let edges = self.draw_bands(scene, left, right, |along, across| [along, top + across]);
         let labels = self.labels();
+        // The labels of the ends must not stick out of the page.
+        let inset = 0.5 * labels.iter().map(|l| font::width(l, TICK_SIZE)).fold(0.0, f64::max);
+        let edges = self
+            .draw_bands(scene, left + inset, right - inset, |along, across| [along, top + across]);
         let widths: Vec<f64> =
             labels.iter().map(|l| font::width(l, TICK_SIZE) + 0.8 * TICK_SIZE).collect();
         let baseline = bottom + MINOR_TICK_LENGTH + TICK_GAP + font::CAP_HEIGHT * TICK_SIZE;

@@ -101,8 +101,28 @@ impl Field {
             let inside = i > 0 && j > 0 && i < x.len() && j < y.len();
             inside && CORNERS.iter().all(|&(di, dj)| finite(i - 1 + di, j - 1 + dj))
         });
-        Trace { x, y, values: &self.values, valid }
+        let kinds = Array2::from_shape_fn(valid.dim(), |(i, j)| {
+            if !valid[[i, j]] {
+                Kind::Blank
+            } else if NEIGHBOURS.iter().all(|&(di, dj)| valid[[i - 1 + di, j - 1 + dj]]) {
+                Kind::Inner
+            } else {
+                Kind::Rim
+            }
+        });
+        Trace { x, y, values: &self.values, kinds }
     }
+}
+
+/// What a cell is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// A corner is not finite.
+    Blank,
+    /// All neighbours have values.
+    Inner,
+    /// A neighbour is blank or beyond the grid.
+    Rim,
 }
 
 /// The data of walks over the cells.
@@ -110,8 +130,8 @@ pub(super) struct Trace<'a> {
     x: &'a [f64],
     y: &'a [f64],
     values: &'a Array2<f64>,
-    /// Whether all corners of a cell are finite, for the cells and a border of blank ones around them.
-    valid: Array2<bool>,
+    /// The kinds of the cells, with a border of blank ones around them.
+    kinds: Array2<Kind>,
 }
 
 /// The corners of a cell, counterclockwise, as offsets from its lower left node.
@@ -135,7 +155,7 @@ impl Trace<'_> {
             cell.crossings(&mut pieces);
             for (side, (di, dj)) in NEIGHBOURS.into_iter().enumerate() {
                 // A side between two cells would be walked once in each direction: both are left out.
-                if !self.valid[[cell.i + di, cell.j + dj]] {
+                if self.kinds[[cell.i + di, cell.j + dj]] == Kind::Blank {
                     cell.side(side, &mut pieces);
                 }
             }
@@ -143,17 +163,24 @@ impl Trace<'_> {
         self.join(pieces, level).into_iter().map(|line| line.points).collect()
     }
 
+    /// Visits the cells that the level crosses, and the high ones at the rim.
     fn for_each_cell(&self, level: f64, mut visit: impl FnMut(Cell)) {
         for i in 0..self.x.len() - 1 {
-            for j in 0..self.y.len() - 1 {
-                if !self.valid[[i + 1, j + 1]] {
-                    continue;
-                }
-                let corners = CORNERS.map(|(di, dj)| self.values[[i + di, j + dj]]);
-                let high = corners.map(|v| v >= level);
-                if high.contains(&true) {
+            let (left, right) = (self.values.row(i), self.values.row(i + 1));
+            let kinds = self.kinds.row(i + 1);
+            // Iterators rather than indices: this is the inner loop of every map.
+            let sides = left.iter().zip(right).map(|(&a, &b)| [a, b]);
+            let cells = sides.clone().zip(sides.skip(1)).zip(kinds.iter().skip(1));
+            for (j, (([a, b], [d, c]), &kind)) in cells.enumerate() {
+                let high = [a >= level, b >= level, c >= level, d >= level];
+                let skip = match kind {
+                    Kind::Blank => true,
+                    Kind::Inner => high == [high[0]; 4],
+                    Kind::Rim => high == [false; 4],
+                };
+                if !skip {
                     // Quarters before the sum, so that huge values do not overflow.
-                    let centre_high = corners.iter().map(|v| 0.25 * v).sum::<f64>() >= level;
+                    let centre_high = 0.25 * a + 0.25 * b + 0.25 * c + 0.25 * d >= level;
                     visit(Cell { i, j, rows: self.y.len(), high, centre_high });
                 }
             }
@@ -212,7 +239,7 @@ impl Trace<'_> {
     }
 }
 
-/// A cell with at least one high corner.
+/// A cell, which of its corners are high, and whether its middle is.
 struct Cell {
     i: usize,
     j: usize,
@@ -261,3 +288,6 @@ impl Cell {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -46,9 +46,9 @@ pub enum FigureError {
         /// Upper end.
         high: f64,
     },
-    /// There are more panels than cells in the grid.
-    #[error("{panels} panels do not fit a grid of {rows} x {columns}")]
-    TooManyPanels {
+    /// There is no panel, or there are more than cells in the grid.
+    #[error("{panels} panels in a grid of {rows} x {columns}")]
+    PanelCount {
         /// Number of panels.
         panels: usize,
         /// Rows of the grid.

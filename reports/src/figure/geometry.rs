@@ -133,7 +133,8 @@ pub(super) fn simplify_ring(ring: &[Point], tolerance: f64) -> Vec<Point> {
     simple
 }
 
-fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
+/// The distance of a point from a segment.
+pub(super) fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
     let d = [b[0] - a[0], b[1] - a[1]];
     let length2 = d[0] * d[0] + d[1] * d[1];
     if length2 == 0.0 {

@@ -112,7 +112,7 @@ impl Figure {
     fn scene(&self) -> Result<Scene, FigureError> {
         let (rows, columns) = (self.rows, self.columns);
         if self.panels.len() > rows * columns || self.panels.is_empty() {
-            return Err(FigureError::TooManyPanels { panels: self.panels.len(), rows, columns });
+            return Err(FigureError::PanelCount { panels: self.panels.len(), rows, columns });
         }
         let panels: Vec<Resolved> =
             self.panels.iter().map(Panel::resolve).collect::<Result<_, _>>()?;
@@ -221,3 +221,6 @@ impl Grid {
         Rect { left, top, right: left + self.width, bottom: top + self.height }
     }
 }
+
+#[cfg(test)]
+mod tests;

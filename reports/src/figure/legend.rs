@@ -1,10 +1,12 @@
 //! Legends: the names of layers beside samples of their look.
 
 use super::{
+    area::Region,
     color::Color,
+    curve::Markers,
     font,
     geometry::Rect,
-    layer::{Layer, Markers, Region},
+    layer::Layer,
     plot,
     scene::{Pen, Scene, Text},
     typography::{FRAME_WIDTH, LEGEND_SIZE},

@@ -22,12 +22,14 @@
 //! # Ok::<(), courant_reports::figure::FigureError>(())
 //! ```
 
+mod area;
 mod axis;
 mod bitmap;
 mod color;
 mod color_bar;
 mod colormap;
 mod contour;
+mod curve;
 mod error;
 mod font;
 mod geometry;
@@ -43,15 +45,15 @@ mod svg;
 mod ticks;
 mod typography;
 
+pub use area::{FilledContours, Isolines, Region};
 pub use axis::{Axis, Scale};
 pub use color::Color;
 pub use color_bar::{ColorBar, Side};
 pub use colormap::{Bands, ColorMap};
 pub use contour::{Field, Isoline};
+pub use curve::{Dash, ErrorBars, Line, Marker, Markers, Rule};
 pub use error::FigureError;
-pub use layer::{
-    Dash, ErrorBars, FilledContours, Isolines, Layer, Line, Marker, Markers, Note, Region, Rule,
-};
+pub use layer::{Layer, Note};
 pub use layout::Figure;
 pub use legend::Corner;
 pub use panel::Panel;

@@ -1,16 +1,16 @@
 //! Layers on the page: from data coordinates to shapes.
 
 use super::{
+    area::{FilledContours, Isolines, Region},
     color::Color,
     contour::Field,
+    curve::{ErrorBars, Line, Marker, Markers, Rule},
     font,
     geometry::{self, Point, clip_polygon, clip_polyline, simplify, simplify_ring},
-    layer::{
-        ErrorBars, FilledContours, Isolines, Layer, Line, Marker, Markers, Note, Region, Rule,
-    },
-    line_label::{self, Placed},
+    layer::{Layer, Note},
+    line_label::Obstacles,
     panel::Frame,
-    scene::{Pen, Scene, Shape, Text},
+    scene::{Anchor, Pen, Scene, Shape, Text},
     ticks::format_number,
     typography::ISOLINE_SIZE,
 };
@@ -22,7 +22,7 @@ const HATCH: (f64, f64) = (4.5, 0.45);
 
 /// Draws the layers in order; the scene is cut to the frame.
 pub(super) fn draw_layers(scene: &mut Scene, frame: &Frame, layers: &[Layer]) {
-    let mut labels = Vec::new();
+    let mut labels = Obstacles::new(frame, layers);
     for layer in layers {
         match layer {
             Layer::Line(line) => draw_line(scene, frame, line),
@@ -208,7 +208,7 @@ fn draw_bands(scene: &mut Scene, frame: &Frame, contours: &FilledContours) {
     }
 }
 
-fn draw_isolines(scene: &mut Scene, frame: &Frame, isolines: &Isolines, labels: &mut Vec<Placed>) {
+fn draw_isolines(scene: &mut Scene, frame: &Frame, isolines: &Isolines, labels: &mut Obstacles) {
     let (x, y) = nodes(frame, &isolines.field);
     let trace = isolines.field.on(&x, &y);
     let dash = isolines.dash.lengths(isolines.width);
@@ -223,17 +223,14 @@ fn draw_isolines(scene: &mut Scene, frame: &Frame, isolines: &Isolines, labels: 
                 points.push(points[0]);
             }
             for piece in clip_polyline(&simplify(&points, TOLERANCE), &frame.rect) {
-                let place = isolines
-                    .labelled
-                    .then(|| line_label::place(&piece, width, ISOLINE_SIZE, &frame.rect, labels))
-                    .flatten();
+                let place =
+                    isolines.labelled.then(|| labels.place(&piece, width, ISOLINE_SIZE)).flatten();
                 match place {
                     Some(place) => {
                         lines.extend(place.rest);
-                        labels.push(place.label);
                         scene.text(Text {
                             angle: place.angle,
-                            anchor: super::scene::Anchor::Middle,
+                            anchor: Anchor::Middle,
                             color: isolines.color,
                             ..Text::new(text.clone(), place.baseline, ISOLINE_SIZE)
                         });
