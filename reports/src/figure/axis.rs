@@ -7,7 +7,7 @@ use super::{
 
 /// How values are laid out along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
+pub(super) enum Scale {
     /// Equal differences are equally long.
     Linear,
     /// Equal ratios are equally long; values that are not positive have no place.

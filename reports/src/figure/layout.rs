@@ -34,8 +34,8 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// A figure for `rows` x `columns` panels, 7 inches wide (the text width of most journals) or 4 for a single column
-    /// of panels.
+    /// A figure for `rows` x `columns` panels, 7 inches wide (the text width of most journals), or 4.5 for a single
+    /// column of panels.
     pub fn grid(rows: usize, columns: usize) -> Figure {
         let width = if columns > 1 { 7.0 } else { 4.5 };
         let height = 0.6 + rows as f64 * width / columns.max(1) as f64 * 0.72;

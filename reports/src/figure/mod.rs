@@ -46,7 +46,7 @@ mod ticks;
 mod typography;
 
 pub use area::{FilledContours, Isolines, Region};
-pub use axis::{Axis, Scale};
+pub use axis::Axis;
 pub use color::Color;
 pub use color_bar::{ColorBar, Side};
 pub use colormap::{Bands, ColorMap};

@@ -187,18 +187,20 @@ impl Resolved<'_> {
             false => LABEL_GAP + LABEL_SIZE,
         };
         let x_ticks = self.x_ticks(width);
-        // The labels of the outermost ticks stick out by half.
-        let overhang = x_ticks
-            .iter()
-            .map(|t| {
-                let beyond = (self.x.fraction(t.value) - 1.0) * width;
-                beyond + 0.5 * font::width(&t.label, TICK_SIZE)
-            })
-            .fold(0.0, f64::max);
+        // The labels of the outermost ticks stick out by up to half.
+        let overhang = |from_border: &dyn Fn(f64) -> f64| {
+            x_ticks
+                .iter()
+                .map(|t| {
+                    let inside = from_border(self.x.fraction(t.value)) * width;
+                    0.5 * font::width(&t.label, TICK_SIZE) - inside
+                })
+                .fold(0.0, f64::max)
+        };
         let numbers = if panel.x.show_tick_labels { TICK_GAP + TICK_SIZE } else { 0.0 };
         Margins {
-            left: TICK_LENGTH + TICK_GAP + widest + label(&panel.y),
-            right: overhang
+            left: (TICK_LENGTH + TICK_GAP + widest + label(&panel.y)).max(overhang(&|f| f)),
+            right: overhang(&|f| 1.0 - f)
                 .max(4.0)
                 .max(panel.color_bar.as_ref().map_or(0.0, |b| BAR_GAP + b.breadth_right())),
             top: if panel.title.is_empty() { 0.5 * TICK_SIZE } else { 1.6 * TITLE_SIZE },

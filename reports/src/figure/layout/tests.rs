@@ -162,10 +162,14 @@ fn values_outside_the_bands_stay_blank() {
 
 #[test]
 fn all_text_is_on_the_page_and_tick_labels_do_not_touch() {
+    // Without labels of its own the y axis leaves little room for the first label of the x axis.
+    let x = Axis::linear("").range(0.0, 1.0).ticks((0..12).map(|k| (0.1 * f64::from(k), "wide")));
+    let bare = Panel::new(x, Axis::linear("").without_tick_labels());
     for figure in [
         rich(),
         rich().size(5.0, 3.0),
         Figure::single(map(10, bands(vec![Color::SKY; 3]))).size(2.4, 2.0),
+        Figure::single(bare),
     ] {
         let scene = figure.scene().unwrap();
         let page = Rect { left: 0.0, top: 0.0, right: scene.width, bottom: scene.height };
