@@ -4,8 +4,10 @@
 
 pub mod bernstein;
 pub mod common_factor;
+pub mod consistency;
 pub mod cosine_series;
 pub mod fixed_point;
+pub mod growth;
 pub mod kernel;
 pub mod lattice;
 pub mod limit;
@@ -15,4 +17,6 @@ pub mod rational;
 pub mod real_roots;
 pub mod scheme;
 pub mod stencil;
+pub mod sweep;
 pub mod symbol;
+pub mod verdict;
