@@ -11,6 +11,7 @@ use crate::rational::{Rational, integer};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
+use std::collections::VecDeque;
 
 /// How much work a decision took: counts, not seconds, so that tests can hold it down.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -92,9 +93,10 @@ impl MarginForm {
     pub fn sign(&self, from: &Rational, to: &Rational, max_boxes: usize) -> (Sign, Work) {
         let first = self.first_box(from, to);
         let mut work = Work::default();
-        // Boxes with the left end of their s-interval in units of 2^−depth.
-        let mut pending = vec![(first, BigInt::zero(), 0u32)];
-        while let Some((current, left_end, depth)) = pending.pop() {
+        // Boxes with the left end of their s-interval in units of 2^−depth, coarse ones first: a
+        // counterexample elsewhere is met before a touching zero is pursued without end.
+        let mut pending = VecDeque::from([(first, BigInt::zero(), 0u32)]);
+        while let Some((current, left_end, depth)) = pending.pop_front() {
             work.boxes += 1;
             // Each of the `depth + 1` roundings lowered a number by less than one unit.
             let rounding = -BigInt::from(depth + 1);
@@ -118,9 +120,9 @@ impl MarginForm {
                 return (Sign::Undecided, work);
             }
             let (left, right) = halve(current);
-            let first = left_end << 1;
-            pending.push((right, &first + 1, depth + 1));
-            pending.push((left, first, depth + 1));
+            let first: BigInt = left_end << 1;
+            pending.push_back((left, first.clone(), depth + 1));
+            pending.push_back((right, first + 1, depth + 1));
         }
         (Sign::NowhereNegative, work)
     }

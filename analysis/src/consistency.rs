@@ -97,14 +97,18 @@ mod tests {
             // Phases small against the kernel's inverse width.
             let phase = 0.02 / numerator as f64;
             let (far, near) = (error(2.0 * phase), error(phase));
-            prop_assume!(near > 1e-13);
+            // Below this the error drowns in the rounding of g.
+            prop_assume!(near > 1e-12);
             let rate = (far / near).log2();
             let expected = f64::from(found.order.map_or(0, |order| order + 1));
-            // A tiny leading coefficient lets the next one shine through.
-            prop_assert!(rate > expected - 0.2, "rate {} order {:?}", rate, found.order);
-            let small = found.defect.evaluate(&ratio(courant, 10));
-            if to_f64(&small).abs() > 1e-3 {
-                prop_assert!((rate - expected).abs() < 0.2, "rate {} order {:?}", rate, found.order);
+            // The error is |defect| φ^p / p! and a remainder a hundred times smaller, unless the defect
+            // itself is tiny: then the next order, or two, shines through.
+            let defect = to_f64(&found.defect.evaluate(&ratio(courant, 10))).abs();
+            let leading = defect * phase.powf(expected) / [1.0, 1.0, 2.0, 6.0][expected as usize];
+            if leading > 0.9 * near {
+                prop_assert!((rate - expected).abs() < 0.3, "rate {} order {:?}", rate, found.order);
+            } else {
+                prop_assert!(rate > expected - 0.3, "rate {} order {:?}", rate, found.order);
             }
         }
     }

@@ -32,6 +32,11 @@ const SLACK: f64 = 0.005;
 
 const BLOCK: usize = 64;
 
+/// Steps of the refinement at most, and the bracket (in sample spacings) at which the maximum is flat:
+/// the value is then below the maximum by the square of this times the second difference.
+const MAX_POLISH: usize = 40;
+const FLAT: f64 = 2e-5;
+
 impl PhaseTable {
     /// Tabulates a margin (for growth 0) on at least `phases` phases of `[0, π]`, more when the margin
     /// oscillates faster than that can resolve.
@@ -134,22 +139,34 @@ impl PhaseTable {
         Extremum { growth: growth_from_excess(sign * found.0), phase: found.1 }
     }
 
-    /// Repeated parabolic interpolation around a sampled maximum, on ever closer points.
+    /// The maximum between the two neighbours of a sampled one: parabolic interpolation through a
+    /// shrinking bracket, with a golden-section step wherever the parabola does not help.
     fn polish(&self, courant_number: f64, sign: f64, phase: f64, value: f64) -> (f64, f64) {
-        let at = |phase: f64| -sign * self.margin.at(courant_number, phase);
-        let mut best = (value, phase);
-        let mut step = self.phases[1];
-        for _ in 0..5 {
-            let (left, right) = (at(best.1 - step), at(best.1 + step));
-            let bend = left + right - 2.0 * best.0;
-            let vertex = best.1 + 0.5 * step * (left - right) / bend;
-            if bend < 0.0 && (0.0..=PI).contains(&vertex) && (vertex - best.1).abs() <= step {
-                let refined = (at(vertex), vertex);
-                if refined.0 > best.0 {
-                    best = refined;
-                }
+        let at = |phase: f64| (-sign * self.margin.at(courant_number, phase), phase);
+        let spacing = self.phases[1];
+        let (mut left, mut best, mut right) =
+            (at(phase - spacing), (value, phase), at(phase + spacing));
+        for _ in 0..MAX_POLISH {
+            let (before, after) = (best.1 - left.1, right.1 - best.1);
+            if before.max(after) < FLAT * spacing {
+                break;
             }
-            step *= 0.1;
+            // Vertex of the parabola through the three points.
+            let (rise, fall) = (best.0 - left.0, best.0 - right.0);
+            let curvature = after * rise + before * fall;
+            let mut next =
+                best.1 + 0.5 * (after * after * rise - before * before * fall) / curvature;
+            let shrinks = next - left.1 > 0.01 * before && right.1 - next > 0.01 * after;
+            if !shrinks || (next - best.1).abs() < 0.001 * before.min(after) {
+                next = if before > after { best.1 - 0.38 * before } else { best.1 + 0.38 * after };
+            }
+            let tried = at(next);
+            match (tried.0 > best.0, tried.1 > best.1) {
+                (true, true) => (left, best) = (best, tried),
+                (true, false) => (right, best) = (best, tried),
+                (false, true) => right = tried,
+                (false, false) => left = tried,
+            }
         }
         best
     }
