@@ -79,36 +79,33 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]
         #[test]
-        fn the_order_is_the_rate_at_which_the_symbol_approaches_the_shift(
+        fn the_symbol_leaves_the_shift_with_the_first_defect(
             numerator in 5i64..50, courant in 1i64..9, scheme in 0usize..3
         ) {
-            // The second road: |g − e^{−iCφ}| at a small phase and at half of it.
-            let discretisation = Discretisation::new(
-                AdvectionScheme::ALL[scheme], Kernel::CubicSpline, ratio(numerator, 10)
-            ).unwrap();
+            // Taylor's theorem: |g − e^{−iCφ}| = |defect| φ^p / p! up to the next moment of |c_k|.
+            let l = ratio(numerator, 10);
+            let discretisation =
+                Discretisation::new(AdvectionScheme::ALL[scheme], Kernel::CubicSpline, l).unwrap();
             let symbol = discretisation.symbol();
-            let courant_number = courant as f64 / 10.0;
-            let gain = symbol.center().compile();
-            let error = |phase: f64| {
-                let shift = num_complex::Complex64::from_polar(1.0, -courant_number * phase);
-                (gain.amplification(courant_number, phase) - shift).norm()
-            };
+            let courant_number = ratio(courant, 10);
+            let c = to_f64(&courant_number);
             let found = consistency(&symbol);
-            // Phases small against the kernel's inverse width.
-            let phase = 0.02 / numerator as f64;
-            let (far, near) = (error(2.0 * phase), error(phase));
-            // Below this the error drowns in the rounding of g.
-            prop_assume!(near > 1e-12);
-            let rate = (far / near).log2();
-            let expected = f64::from(found.order.map_or(0, |order| order + 1));
-            // The error is |defect| φ^p / p! and a remainder a hundred times smaller, unless the defect
-            // itself is tiny: then the next order, or two, shines through.
-            let defect = to_f64(&found.defect.evaluate(&ratio(courant, 10))).abs();
-            let leading = defect * phase.powf(expected) / [1.0, 1.0, 2.0, 6.0][expected as usize];
-            if leading > 0.9 * near {
-                prop_assert!((rate - expected).abs() < 0.3, "rate {} order {:?}", rate, found.order);
-            } else {
-                prop_assert!(rate > expected - 0.3, "rate {} order {:?}", rate, found.order);
+            let p = found.order.map_or(0, |order| order as i32 + 1);
+            let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
+            let next: f64 = symbol
+                .center()
+                .at_courant_number(&courant_number)
+                .terms()
+                .map(|(k, value)| to_f64(value).abs() * (k as f64).abs().powi(p + 1))
+                .sum::<f64>()
+                + c.powi(p + 1);
+            for phase in [1e-2, 1e-3] {
+                let shift = num_complex::Complex64::from_polar(1.0, -c * phase);
+                let error = (symbol.center().compile().amplification(c, phase) - shift).norm();
+                let leading =
+                    to_f64(&found.defect.evaluate(&courant_number)).abs() * phase.powi(p) / factorial(p);
+                let remainder = next * phase.powi(p + 1) / factorial(p + 1);
+                prop_assert!((error - leading).abs() <= remainder + 1e-14, "{:?} at {}", found, phase);
             }
         }
     }
