@@ -13,7 +13,7 @@ use crate::rational::{Rational, from_f64, integer, to_f64, to_f64_above, to_f64_
 use crate::real_roots::{RealRoot, real_roots};
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// Boxes one decision may look at.
 const MAX_BOXES: usize = 2000;
@@ -21,6 +21,12 @@ const MAX_BOXES: usize = 2000;
 /// The relative width of an enclosure, first tried and last: powers of one half.
 const FIRST_WIDTH: i32 = 52;
 const LAST_WIDTH: i32 = 22;
+
+/// Roots in `t` are enclosed to this many bits, far below the width of an edge.
+const ROOT_BITS: u32 = 72;
+
+/// Newton's method doubles the digits: from ten or so to more than asked for.
+const NEWTON_STEPS: usize = 6;
 
 /// How often an unstable stretch may be halved in search of witnesses.
 const MAX_HALVINGS: u32 = 48;
@@ -441,13 +447,15 @@ impl<'a> Search<'a> {
                 let value = -polynomial.coefficient(0) / polynomial.coefficient(1);
                 (value > from && value <= to)
                     .then(|| RealRoot { lower: value.clone(), upper: value })
+            } else if s.is_integer() {
+                // An end of the phase range: small coefficients, and the root may be a fraction.
+                real_roots(&polynomial, &from, &to, ROOT_BITS).into_iter().min_by(|a, b| {
+                    let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
+                    distance(a).total_cmp(&distance(b))
+                })
             } else {
-                real_roots(&polynomial, &from, &to, FIRST_WIDTH as u32 + 20).into_iter().min_by(
-                    |a, b| {
-                        let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
-                        distance(a).total_cmp(&distance(b))
-                    },
-                )
+                newton_root(&polynomial, &center)
+                    .filter(|root| root.lower > from && root.upper <= to)
             }?;
             enclosure = Some(match enclosure {
                 None => nearest,
@@ -533,6 +541,34 @@ impl<'a> Search<'a> {
             _ => (to_f64_below(lower), to_f64_above(upper)),
         }
     }
+}
+
+/// A simple root near a guess by Newton's method on rounded coefficients, enclosed to [`ROOT_BITS`] and
+/// verified by the signs of the exact polynomial at both ends. (The coefficients have thousands of
+/// digits; Sturm's chain on them costs a hundred times as much.)
+fn newton_root(polynomial: &Polynomial<Rational>, guess: &Rational) -> Option<RealRoot> {
+    let rounded = polynomial.map(|value| round_to_bits(value, 4 * ROOT_BITS));
+    let derivative = rounded.derivative();
+    let mut root = guess.clone();
+    for _ in 0..NEWTON_STEPS {
+        let slope = derivative.evaluate(&root);
+        if slope.is_zero() {
+            return None;
+        }
+        root = round_to_bits(&(&root - rounded.evaluate(&root) / slope), 2 * ROOT_BITS);
+    }
+    let margin = root.abs() * power_of_half(ROOT_BITS as i32);
+    let (lower, upper) = (&root - &margin, &root + &margin);
+    let product = polynomial.evaluate(&lower) * polynomial.evaluate(&upper);
+    product.is_negative().then_some(RealRoot { lower, upper })
+}
+
+/// The nearest number below with this many significant bits.
+fn round_to_bits(value: &Rational, bits: u32) -> Rational {
+    let shift = i64::from(bits) - (value.numer().bits() as i64 - value.denom().bits() as i64);
+    let (up, down) = (shift.max(0) as u64, (-shift).max(0) as u64);
+    let mantissa = (value.numer() << up) / (value.denom() << down);
+    Rational::new(mantissa << down, BigInt::one() << up)
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.
