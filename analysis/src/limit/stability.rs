@@ -6,10 +6,12 @@
 
 use super::critical::{Critical, UnstableInterval, refine, resolving_phases, sampled_unstable_set};
 use super::{Evidence, ExactValue, Limit, square_root_enclosure};
-use crate::bernstein::{MarginForm, Sign, Work, is_negative_between};
+use crate::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::margin::{CompiledMargin, Margin};
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, from_f64, integer, to_f64, to_f64_above, to_f64_below};
+use crate::rational::{
+    Rational, from_f64, integer, simplest_between, to_f64, to_f64_above, to_f64_below,
+};
 use crate::real_roots::{RealRoot, real_roots};
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
@@ -25,8 +27,12 @@ const LAST_WIDTH: i32 = 22;
 /// Roots in `t` are enclosed to this many bits, far below the width of an edge.
 const ROOT_BITS: u32 = 72;
 
-/// Newton's method doubles the digits: from ten or so to more than asked for.
-const NEWTON_STEPS: usize = 6;
+/// Roots that may be fractions are enclosed to this many: two fractions that close together have
+/// denominators above 2^100.
+const FRACTION_BITS: u32 = 200;
+
+/// Newton's method doubles the digits: from ten or so bits to more than asked for.
+const NEWTON_STEPS: usize = 7;
 
 /// How often an unstable stretch may be halved in search of witnesses.
 const MAX_HALVINGS: u32 = 48;
@@ -361,8 +367,8 @@ impl<'a> Search<'a> {
             let mut unstable = false;
             for s in candidates {
                 self.work.evaluations += 1;
-                let values = self.form.at_phase_parameter(s, 1);
-                if is_negative_between(&values, &lower, &upper) == Some(true) {
+                let values = self.form.integers_at(s, 1);
+                if is_negative_integer_polynomial(&values, &lower, &upper) == Some(true) {
                     unstable = true;
                     break;
                 }
@@ -442,21 +448,13 @@ impl<'a> Search<'a> {
         let to = (&center * from_f64(1.0 + tolerance)?).min(self.end.clone());
         for &shift in shifts {
             self.work.evaluations += 1;
-            let polynomial = Polynomial::new(self.form.at_phase_parameter(s, shift));
-            let nearest = if polynomial.degree() == Some(1) {
-                let value = -polynomial.coefficient(0) / polynomial.coefficient(1);
-                (value > from && value <= to)
-                    .then(|| RealRoot { lower: value.clone(), upper: value })
-            } else if s.is_integer() {
-                // An end of the phase range: small coefficients, and the root may be a fraction.
-                real_roots(&polynomial, &from, &to, ROOT_BITS).into_iter().min_by(|a, b| {
-                    let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
-                    distance(a).total_cmp(&distance(b))
-                })
+            let coefficients = self.form.integers_at(s, shift);
+            let nearest = if s.is_integer() && self.margin.is_exact() {
+                fraction_or_root(coefficients, guess, &from, &to)
             } else {
-                newton_root(&polynomial, &center)
-                    .filter(|root| root.lower > from && root.upper <= to)
-            }?;
+                newton_root(&coefficients, guess, ROOT_BITS)
+            };
+            let nearest = nearest.filter(|root| root.lower > from && root.upper <= to)?;
             enclosure = Some(match enclosure {
                 None => nearest,
                 Some(first) => RealRoot {
@@ -488,10 +486,10 @@ impl<'a> Search<'a> {
     /// Whether the wave with this `s` is unstable on some interval `(from, from + δ)`.
     fn is_unstable_just_above(&mut self, from: &Rational, s: &Rational) -> bool {
         self.work.evaluations += 1;
-        let values = self.form.at_phase_parameter(s, 1);
+        let values = self.form.integers_at(s, 1);
         let step =
             if from.is_zero() { &self.end * power_of_half(60) } else { from * power_of_half(60) };
-        is_negative_between(&values, from, &(from + step)) == Some(true)
+        is_negative_integer_polynomial(&values, from, &(from + step)) == Some(true)
     }
 
     /// The `s` of the resolving phase whose margin is lowest at `t`, if it is negative at all.
@@ -543,32 +541,84 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A simple root near a guess by Newton's method on rounded coefficients, enclosed to [`ROOT_BITS`] and
-/// verified by the signs of the exact polynomial at both ends. (The coefficients have thousands of
-/// digits; Sturm's chain on them costs a hundred times as much.)
-fn newton_root(polynomial: &Polynomial<Rational>, guess: &Rational) -> Option<RealRoot> {
-    let rounded = polynomial.map(|value| round_to_bits(value, 4 * ROOT_BITS));
-    let derivative = rounded.derivative();
-    let mut root = guess.clone();
+/// The root at an end of the phase range, where it may be a fraction: the simplest fraction within a
+/// narrow enclosure is tried. A multiple root, which Newton's method does not enclose, goes to Sturm.
+fn fraction_or_root(
+    coefficients: Vec<BigInt>,
+    guess: f64,
+    from: &Rational,
+    to: &Rational,
+) -> Option<RealRoot> {
+    let narrow = newton_root(&coefficients, guess, FRACTION_BITS);
+    let exact = Polynomial::new(coefficients.into_iter().map(Rational::from).collect());
+    if exact.degree() == Some(1) {
+        let value = -exact.coefficient(0) / exact.coefficient(1);
+        return Some(RealRoot { lower: value.clone(), upper: value });
+    }
+    match narrow {
+        Some(root) => {
+            let simplest = simplest_between(&root.lower, &root.upper);
+            let is_root = exact.evaluate(&simplest).is_zero();
+            Some(if is_root { RealRoot { lower: simplest.clone(), upper: simplest } } else { root })
+        }
+        None => real_roots(&exact, from, to, ROOT_BITS).into_iter().min_by(|a, b| {
+            let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
+            distance(a).total_cmp(&distance(b))
+        }),
+    }
+}
+
+/// A simple root near a positive guess by Newton's method in integer fixed point, enclosed to
+/// [`ROOT_BITS`] and verified by the signs of the exact polynomial at both ends. (The coefficients have
+/// thousands of digits; fractions and Sturm's chain on them cost a thousand times as much.)
+fn newton_root(coefficients: &[BigInt], guess: f64, bits: u32) -> Option<RealRoot> {
+    // Unit of t: about 2^−3·ROOT_BITS of its size. Coefficients keep as many bits below the largest.
+    let digits = 3 * i64::from(bits);
+    let shift = digits - guess.log2().ceil() as i64;
+    let largest = coefficients.iter().map(|value| value.bits() as i64).max()?;
+    let cut = (largest - 2 * digits).max(0) as u64;
+    let rounded: Vec<BigInt> = coefficients.iter().map(|value| value >> cut).collect();
+    let unit =
+        |value: BigInt| if shift >= 0 { value >> shift as u64 } else { value << (-shift) as u64 };
+    let mut root = (from_f64(guess)? * power_of_two(shift)).to_integer();
     for _ in 0..NEWTON_STEPS {
-        let slope = derivative.evaluate(&root);
+        let (mut value, mut slope) = (BigInt::zero(), BigInt::zero());
+        for coefficient in rounded.iter().rev() {
+            slope = unit(slope * &root) + &value;
+            value = unit(value * &root) + coefficient;
+        }
         if slope.is_zero() {
             return None;
         }
-        root = round_to_bits(&(&root - rounded.evaluate(&root) / slope), 2 * ROOT_BITS);
+        let step = if shift >= 0 { value << shift as u64 } else { value >> (-shift) as u64 };
+        root -= step / slope;
     }
-    let margin = root.abs() * power_of_half(ROOT_BITS as i32);
-    let (lower, upper) = (&root - &margin, &root + &margin);
-    let product = polynomial.evaluate(&lower) * polynomial.evaluate(&upper);
-    product.is_negative().then_some(RealRoot { lower, upper })
+    let margin: BigInt = root.abs() >> u64::from(bits);
+    // Ends with few digits keep the exact evaluations cheap.
+    let coarse = (i64::from(bits) - 8).max(0) as u64;
+    let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
+    let scale = shift - coarse as i64;
+    let sign = |end: &BigInt| {
+        let (power, exponent) = if scale >= 0 { (scale as u64, 0) } else { (0, (-scale) as u64) };
+        let end = end << exponent;
+        // Homogeneous in (end, 2^power): only the sign counts.
+        let mut weight = 0;
+        let value = coefficients.iter().rev().fold(BigInt::zero(), |sum, coefficient| {
+            let next = sum * &end + (coefficient << weight);
+            weight += power;
+            next
+        });
+        value.sign()
+    };
+    (sign(&lower) != sign(&upper)).then(|| RealRoot {
+        lower: Rational::from(lower) * power_of_two(-scale),
+        upper: Rational::from(upper) * power_of_two(-scale),
+    })
 }
 
-/// The nearest number below with this many significant bits.
-fn round_to_bits(value: &Rational, bits: u32) -> Rational {
-    let shift = i64::from(bits) - (value.numer().bits() as i64 - value.denom().bits() as i64);
-    let (up, down) = (shift.max(0) as u64, (-shift).max(0) as u64);
-    let mantissa = (value.numer() << up) / (value.denom() << down);
-    Rational::new(mantissa << down, BigInt::one() << up)
+fn power_of_two(exponent: i64) -> Rational {
+    let magnitude = Rational::from(BigInt::one() << exponent.unsigned_abs());
+    if exponent < 0 { magnitude.recip() } else { magnitude }
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.
