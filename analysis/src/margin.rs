@@ -276,9 +276,11 @@ impl CompiledMargin {
     /// The factor `s^a (1 − s)^b H²`.
     pub fn phase_factor(&self, phase: f64) -> f64 {
         let (sine, cosine) = (0.5 * phase).sin_cos();
-        sine.powi(2 * self.phase_power)
-            * cosine.powi(2 * self.complement_power)
-            * self.neutral_waves.at_cosine(phase.cos()).powi(2)
+        let factor = sine.powi(2 * self.phase_power) * cosine.powi(2 * self.complement_power);
+        match self.neutral_waves.coefficients() {
+            [_one] => factor,
+            _ => factor * self.neutral_waves.at_cosine(phase.cos()).powi(2),
+        }
     }
 
     /// The factor `C^c`.
