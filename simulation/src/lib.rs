@@ -1,1 +1,3 @@
-//! Placeholder until the next commit.
+//! Time stepping for `courant`: gases, scenes, and the methods that advance them.
+
+pub mod riemann;
