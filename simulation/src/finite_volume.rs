@@ -55,7 +55,15 @@ pub fn run(
     let (steps, time, failure) = drive(&mut grid, scene.end_time(), options.max_steps);
     let [mass, momentum, energy] = grid.totals().drift(start, grid.inflow, scale);
     let conservation = Conservation { mass, momentum, energy, volume: None };
-    Ok(Run { profile: grid.profile(), steps, time, failure, conservation, pairs: grid.pairs })
+    Ok(Run {
+        profile: grid.profile(),
+        steps,
+        time,
+        failure,
+        conservation,
+        pairs: grid.pairs,
+        waiting: [0; 2],
+    })
 }
 
 struct Grid {

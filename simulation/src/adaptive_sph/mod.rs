@@ -9,7 +9,7 @@ use crate::run::{
     Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, not_negative,
     positive,
 };
-use crate::scene::{Boundary, Scene};
+use crate::scene::{Boundary, MassLattice, Scene};
 use bodies::Bodies;
 use courant_analysis::kernel::Kernel;
 
@@ -62,8 +62,9 @@ impl AdaptiveSphOptions {
     }
 }
 
-/// Runs the scene with `particles` particles of equal mass, each with the mean velocity and energy of its
-/// mass and at the point that halves it.
+/// Runs the scene with `particles` particles of equal mass in its domain, each with the mean velocity and
+/// energy of its mass and at the point that halves it. Beyond an end through which gas flows in
+/// there are as many more as will enter until the end time.
 ///
 /// Density by summation, `ρ_i = Σ m W(x_ij, h_ij)`; motion by
 /// `dv_i/dt = −Σ m (p_i/ρ_i² + p_j/ρ_j² + Π_ij) ∂W/∂x_i` and heat by
@@ -87,7 +88,7 @@ pub fn run(
     }
     let mut fluid = Fluid::new(scene, particles, options);
     let start = fluid.totals();
-    let motion: f64 = (0..particles)
+    let motion: f64 = (0..fluid.x.len())
         .map(|i| {
             let c = (fluid.gas.gamma() * (fluid.gas.gamma() - 1.0) * fluid.energy[i]).sqrt();
             fluid.mass * (fluid.velocity[i].abs() + c)
@@ -97,8 +98,8 @@ pub fn run(
     let (steps, time, failure) = drive(&mut fluid, scene.end_time(), options.max_steps);
     let [mass, momentum, energy] = fluid.totals().drift(start, fluid.inflow, scale);
     let conservation = Conservation { mass, momentum, energy, volume: None };
-    let pairs = fluid.pairs;
-    Ok(Run { profile: fluid.into_profile(), steps, time, failure, conservation, pairs })
+    let (pairs, waiting) = (fluid.pairs, fluid.waiting);
+    Ok(Run { profile: fluid.into_profile(), steps, time, failure, conservation, pairs, waiting })
 }
 
 /// The particles. Every column is in the order of the particles at the start.
@@ -111,6 +112,7 @@ struct Fluid {
     /// `h₀` of the pilot density.
     pilot_length: f64,
     x: Vec<f64>,
+    waiting: [usize; 2],
     velocity: Vec<f64>,
     energy: Vec<f64>,
     density: Vec<f64>,
@@ -133,19 +135,15 @@ struct Fluid {
 impl Fluid {
     fn new(scene: &dyn Scene, particles: usize, options: &AdaptiveSphOptions) -> Self {
         let gas = scene.gas();
-        let (total, count) = (scene.mass(), particles as f64);
-        let at = |part: f64| scene.position_at_mass(total * (part / count));
-        let states: Vec<_> =
-            (0..particles).map(|i| scene.average(at(i as f64), at((i + 1) as f64))).collect();
-        let x: Vec<f64> = (0..particles).map(|i| at(i as f64 + 0.5)).collect();
+        let MassLattice { spacing, states, x, waiting } = MassLattice::new(scene, particles);
         let widest = x.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        let zeros = || vec![0.0; particles];
+        let zeros = || vec![0.0; x.len()];
         Self {
             gas,
             boundary: scene.boundary(),
             domain: scene.domain(),
             options: *options,
-            mass: total / count,
+            mass: spacing,
             pilot_length: options.pilot_ratio * widest,
             velocity: states.iter().map(|state| state.velocity()).collect(),
             energy: states
@@ -160,9 +158,10 @@ impl Fluid {
             heating: zeros(),
             approach: zeros(),
             supply: [0.0; 2],
-            bodies: Bodies::new(particles),
+            bodies: Bodies::new(x.len()),
             start: [x.clone(), zeros(), zeros()],
             x,
+            waiting,
             inflow: Totals::default(),
             pairs: 0,
         }

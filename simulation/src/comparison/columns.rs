@@ -25,16 +25,17 @@ impl<T> Columns<T> {
     }
 }
 
-/// A measure of each column against its exact counterpart.
+/// A measure of each column from the values found, the exact ones and a scale.
 pub(super) fn per_column(
     found: &Columns<Vec<f64>>,
     exact: &Columns<Vec<f64>>,
-    measure: impl Fn(&[f64], &[f64]) -> f64,
+    scale: &Columns<f64>,
+    measure: impl Fn(&[f64], &[f64], f64) -> f64,
 ) -> Columns<f64> {
     Columns {
-        density: measure(&found.density, &exact.density),
-        velocity: measure(&found.velocity, &exact.velocity),
-        pressure: measure(&found.pressure, &exact.pressure),
-        energy: measure(&found.energy, &exact.energy),
+        density: measure(&found.density, &exact.density, scale.density),
+        velocity: measure(&found.velocity, &exact.velocity, scale.velocity),
+        pressure: measure(&found.pressure, &exact.pressure, scale.pressure),
+        energy: measure(&found.energy, &exact.energy, scale.energy),
     }
 }

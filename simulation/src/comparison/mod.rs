@@ -22,12 +22,14 @@ pub struct Comparison {
     /// `Σ|e_i|/N` over the particles inside.
     pub l1: Columns<f64>,
     /// How far the largest value is above the largest exact one or the smallest below the
-    /// smallest, over the range of the exact solution in the window (over its largest magnitude
-    /// if that is constant).
+    /// smallest, over the range of the exact solution.
+    ///
+    /// Where the exact solution is constant, its magnitude takes the place of its range (for the
+    /// velocity, with the speed of sound added), here and below.
     pub overshoot: Columns<f64>,
-    /// The total variation, `Σ|u_{i+1} − u_i|` from left to right, over that of the exact solution
-    /// at the same points, less 1. Smearing leaves it at 0 or below, oscillations raise it. 0
-    /// where the exact solution is constant and the run is, too; otherwise infinite.
+    /// The total variation `Σ|u_{i+1} − u_i|` from left to right, less that of the exact solution
+    /// at the same points, over the range of the exact solution. Smearing leaves it at 0 or
+    /// below, oscillations raise it.
     pub excess_variation: Columns<f64>,
     /// The acoustic waves and the contact of a Riemann problem.
     pub waves: Vec<WavePosition>,
@@ -68,14 +70,24 @@ impl Comparison {
                 .map(|state| gas.internal_energy(state.density(), state.pressure()))
                 .collect(),
         };
+        let fastest = states
+            .iter()
+            .map(|state| gas.sound_speed(state.density(), state.pressure()))
+            .fold(0.0, f64::max);
+        let scale = Columns {
+            density: scale(&exact.density, 0.0),
+            velocity: scale(&exact.velocity, fastest),
+            pressure: scale(&exact.pressure, 0.0),
+            energy: scale(&exact.energy, 0.0),
+        };
         let waves = waves::positions(scene, run.time, &x, &found);
         Self {
             inside: indices.len(),
             outside: profile.len() - indices.len(),
             order_preserved: profile.order_preserved(),
-            l1: per_column(&found, &exact, mean_error),
-            overshoot: per_column(&found, &exact, overshoot),
-            excess_variation: per_column(&found, &exact, excess_variation),
+            l1: per_column(&found, &exact, &scale, |found, exact, _| mean_error(found, exact)),
+            overshoot: per_column(&found, &exact, &scale, overshoot),
+            excess_variation: per_column(&found, &exact, &scale, excess_variation),
             waves,
             contact_width: waves::contact_width(scene, run.time, &x, &found.density),
             glitch: waves::glitch(scene, run.time, &x, &found.velocity),
@@ -93,21 +105,22 @@ fn range(values: &[f64]) -> (f64, f64) {
     })
 }
 
-fn overshoot(found: &[f64], exact: &[f64]) -> f64 {
+/// The range of the values; where they are constant their magnitude and `more`.
+fn scale(exact: &[f64], more: f64) -> f64 {
+    let (low, high) = range(exact);
+    let magnitude = low.abs().max(high.abs()) + more;
+    if high - low > 1e-9 * magnitude { high - low } else { magnitude }
+}
+
+fn overshoot(found: &[f64], exact: &[f64], scale: f64) -> f64 {
     let ((low, high), (exact_low, exact_high)) = (range(found), range(exact));
-    let scale = if exact_high > exact_low {
-        exact_high - exact_low
-    } else {
-        exact_high.abs().max(f64::MIN_POSITIVE)
-    };
     (high - exact_high).max(exact_low - low).max(0.0) / scale
 }
 
-fn excess_variation(found: &[f64], exact: &[f64]) -> f64 {
+fn excess_variation(found: &[f64], exact: &[f64], scale: f64) -> f64 {
     let variation =
         |values: &[f64]| values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>();
-    let (found, exact) = (variation(found), variation(exact));
-    if found == exact { 0.0 } else { found / exact - 1.0 }
+    (variation(found) - variation(exact)) / scale
 }
 
 #[cfg(test)]

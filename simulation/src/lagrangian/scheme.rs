@@ -6,7 +6,7 @@ use crate::riemann::IdealGas;
 use crate::run::{
     Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, positive,
 };
-use crate::scene::{Boundary, Scene};
+use crate::scene::{Boundary, MassLattice, Scene};
 use courant_analysis::kernel::Kernel;
 use rayon::prelude::*;
 
@@ -79,6 +79,7 @@ pub struct LagrangianScheme<F> {
     /// The states, with `reach` ghosts before and behind.
     states: Vec<LagrangianState>,
     x: Vec<f64>,
+    waiting: [usize; 2],
     /// For each offset `k` and `m` in `0..N + k` the flux from particle `m − k` to `m`.
     fluxes: Vec<Vec<[f64; 3]>>,
     /// What came in through the ends, in units of the totals.
@@ -87,13 +88,15 @@ pub struct LagrangianScheme<F> {
 }
 
 impl<F: LagrangianFlux> LagrangianScheme<F> {
-    /// The initial state of a scene, as `particles` particles of equal mass.
+    /// The initial state of a scene, with `particles` particles of equal mass in its domain.
     ///
-    /// Particle `i` holds the mass between `i Δξ` and `(i + 1) Δξ`: its state is the mean of the
-    /// conserved quantities there and its position the point that halves its mass. Where the jump
-    /// of a tube falls inside a particle (in test 1 of the paper with N = 100: particle 77, which
-    /// is 42 % gas of the left side), that particle gets the mean, so that the totals and the position
-    /// of the jump are exact at the price of one intermediate state.
+    /// Particle `i` holds the mass between `iΔξ` and `(i + 1)Δξ` from the left end, `Δξ = M/N`. Its
+    /// state is the mean of the conserved quantities there and its position the point that
+    /// halves its mass. Where the jump of a tube falls inside a particle (in test 1 of the paper
+    /// with N = 100: particle 77, of which 42 % is gas of the left side), that particle gets the
+    /// mean, so that the totals and the place of the jump are exact, at the price of one
+    /// intermediate state. Beyond an end through which gas flows in there are as many more
+    /// particles as will enter until the end time.
     ///
     /// # Errors
     /// [`InvalidOptions`], when `options` has a ratio or Courant number that does not make
@@ -112,31 +115,25 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             return Err(InvalidOptions::Particles { particles, least });
         }
         let gas = scene.gas();
-        let (mass, count) = (scene.mass(), particles as f64);
-        let spacing = mass / count;
-        let at = |part: f64| scene.position_at_mass(mass * (part / count));
-        let state = |i: usize| {
-            let average = scene.average(at(i as f64), at((i + 1) as f64));
-            LagrangianState::from_state(gas, &average)
-        };
-        let first = state(0);
-        let mut states = vec![first; particles + 2 * reach];
-        for (i, place) in states[reach..reach + particles].iter_mut().enumerate() {
+        let start = MassLattice::new(scene, particles);
+        let count = start.x.len();
+        let state = |i: usize| LagrangianState::from_state(gas, &start.states[i]);
+        let mut states = vec![state(0); count + 2 * reach];
+        for (i, place) in states[reach..reach + count].iter_mut().enumerate() {
             *place = state(i);
         }
-        let x = (0..particles).map(|i| at(i as f64 + 0.5)).collect();
-        let fluxes =
-            lattice.offsets().iter().map(|&(k, _)| vec![[0.0; 3]; particles + k]).collect();
+        let fluxes = lattice.offsets().iter().map(|&(k, _)| vec![[0.0; 3]; count + k]).collect();
         let mut scheme = Self {
             gas,
             boundary: scene.boundary(),
             flux,
             lattice,
-            spacing,
+            spacing: start.spacing,
             cfl: options.cfl,
             fixed_step: None,
             states,
-            x,
+            x: start.x,
+            waiting: start.waiting,
             fluxes,
             inflow: Totals::default(),
             pairs: 0,
@@ -286,7 +283,15 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         let (steps, time, failure) = rayon::scope(|_| drive(&mut self, end_time, max_steps));
         let [volume, momentum, energy] = self.totals().drift(start, self.inflow, scale);
         let conservation = Conservation { mass: 0.0, momentum, energy, volume: Some(volume) };
-        Run { profile: self.profile(), steps, time, failure, conservation, pairs: self.pairs }
+        Run {
+            profile: self.profile(),
+            steps,
+            time,
+            failure,
+            conservation,
+            pairs: self.pairs,
+            waiting: self.waiting,
+        }
     }
 }
 

@@ -27,9 +27,12 @@ pub struct Run {
     pub failure: Option<Failure>,
     /// What was lost or gained beyond the flow through the ends.
     pub conservation: Conservation,
-    /// The number of pair evaluations: fluxes of particle pairs or cell faces, or forces
-    /// between neighbours.
+    /// The number of pair evaluations: fluxes of particle pairs or cell faces, or
+    /// forces of one particle on another.
     pub pairs: u64,
+    /// How many of the particles stood beyond the left and the right end of the domain at the
+    /// start, to flow in. They are the first and the last of the profile.
+    pub waiting: [usize; 2],
 }
 
 impl Run {

@@ -2,9 +2,11 @@
 //!
 //! One definition serves tests, benches, examples and reports, whatever the method.
 
+mod mass_lattice;
 mod simple_wave;
 mod tube;
 
+pub(crate) use mass_lattice::MassLattice;
 pub use simple_wave::{InvalidWave, SimpleWave, WaveData};
 pub use tube::{InvalidTube, STANDARD_TUBES, ShockTube, TubeData};
 
@@ -37,7 +39,13 @@ pub trait Scene: Sync {
     fn particles(&self) -> usize;
     /// The mass in the domain at the start.
     fn mass(&self) -> f64;
-    /// The point with the mass `mass` between it and the left end, at the start.
+    /// The mass that flows in through each end until the end time. The gas beyond the end is like
+    /// that at the end.
+    fn inflow(&self) -> [f64; 2] {
+        [0.0; 2]
+    }
+    /// The point with the mass `mass` between it and the left end, at the start; negative to the
+    /// left of that end.
     fn position_at_mass(&self, mass: f64) -> f64;
     /// The state with the mean mass, momentum and total energy of `[from, to]` at the start.
     fn average(&self, from: f64, to: f64) -> State;

@@ -226,6 +226,12 @@ impl Scene for ShockTube {
             + self.right.density() * (to - self.data.diaphragm)
     }
 
+    fn inflow(&self) -> [f64; 2] {
+        let entering =
+            |state: &State, speed: f64| state.density() * speed.max(0.0) * self.data.end_time;
+        [entering(&self.left, self.left.velocity()), entering(&self.right, -self.right.velocity())]
+    }
+
     fn position_at_mass(&self, mass: f64) -> f64 {
         let left_mass = self.left.density() * (self.data.diaphragm - self.data.domain[0]);
         if mass <= left_mass {
