@@ -25,17 +25,28 @@ impl<T> Columns<T> {
     }
 }
 
-/// A measure of each column from the values found, the exact ones and a scale.
-pub(super) fn per_column(
+impl Columns<f64> {
+    /// Each over its scale.
+    pub(super) fn over(self, scale: &Self) -> Self {
+        Self {
+            density: self.density / scale.density,
+            velocity: self.velocity / scale.velocity,
+            pressure: self.pressure / scale.pressure,
+            energy: self.energy / scale.energy,
+        }
+    }
+}
+
+/// A measure of each column from the values found and something exact.
+pub(super) fn per_column<T>(
     found: &Columns<Vec<f64>>,
-    exact: &Columns<Vec<f64>>,
-    scale: &Columns<f64>,
-    measure: impl Fn(&[f64], &[f64], f64) -> f64,
+    exact: &Columns<T>,
+    measure: impl Fn(&[f64], &T) -> f64,
 ) -> Columns<f64> {
     Columns {
-        density: measure(&found.density, &exact.density, scale.density),
-        velocity: measure(&found.velocity, &exact.velocity, scale.velocity),
-        pressure: measure(&found.pressure, &exact.pressure, scale.pressure),
-        energy: measure(&found.energy, &exact.energy, scale.energy),
+        density: measure(&found.density, &exact.density),
+        velocity: measure(&found.velocity, &exact.velocity),
+        pressure: measure(&found.pressure, &exact.pressure),
+        energy: measure(&found.energy, &exact.energy),
     }
 }

@@ -74,20 +74,25 @@ impl Comparison {
             .iter()
             .map(|state| gas.sound_speed(state.density(), state.pressure()))
             .fold(0.0, f64::max);
+        let extent = extent(scene, run.time, window);
         let scale = Columns {
-            density: scale(&exact.density, 0.0),
-            velocity: scale(&exact.velocity, fastest),
-            pressure: scale(&exact.pressure, 0.0),
-            energy: scale(&exact.energy, 0.0),
+            density: scale(extent.density, 0.0),
+            velocity: scale(extent.velocity, fastest),
+            pressure: scale(extent.pressure, 0.0),
+            energy: scale(extent.energy, 0.0),
         };
         let waves = waves::positions(scene, run.time, &x, &found);
         Self {
             inside: indices.len(),
             outside: profile.len() - indices.len(),
             order_preserved: profile.order_preserved(),
-            l1: per_column(&found, &exact, &scale, |found, exact, _| mean_error(found, exact)),
-            overshoot: per_column(&found, &exact, &scale, overshoot),
-            excess_variation: per_column(&found, &exact, &scale, excess_variation),
+            l1: per_column(&found, &exact, |found, exact| mean_error(found, exact)),
+            overshoot: per_column(&found, &extent, |found, &extent| beyond(found, extent))
+                .over(&scale),
+            excess_variation: per_column(&found, &exact, |found, exact| {
+                variation(found) - variation(exact)
+            })
+            .over(&scale),
             waves,
             contact_width: waves::contact_width(scene, run.time, &x, &found.density),
             glitch: waves::glitch(scene, run.time, &x, &found.velocity),
@@ -99,28 +104,42 @@ fn mean_error(found: &[f64], exact: &[f64]) -> f64 {
     found.iter().zip(exact).map(|(a, b)| (a - b).abs()).sum::<f64>() / found.len() as f64
 }
 
-fn range(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, -f64::INFINITY), |(low, high), &value| {
-        (low.min(value), high.max(value))
-    })
+/// Where the exact solution is sampled for its extent, besides the ends of the window.
+const SAMPLES: usize = 4000;
+
+/// The smallest and largest values of the exact solution in the window. A run may have no particle where
+/// they are taken.
+fn extent(scene: &dyn Scene, time: f64, [from, to]: [f64; 2]) -> Columns<(f64, f64)> {
+    let none = (f64::INFINITY, -f64::INFINITY);
+    let mut extent = Columns { density: none, velocity: none, pressure: none, energy: none };
+    let widen = |(low, high): &mut (f64, f64), value: f64| {
+        *low = low.min(value);
+        *high = high.max(value);
+    };
+    for i in 0..=SAMPLES {
+        let state = scene.exact(from + (to - from) * (i as f64 / SAMPLES as f64), time);
+        let (density, pressure) = (state.density(), state.pressure());
+        widen(&mut extent.density, density);
+        widen(&mut extent.velocity, state.velocity());
+        widen(&mut extent.pressure, pressure);
+        widen(&mut extent.energy, scene.gas().internal_energy(density, pressure));
+    }
+    extent
 }
 
-/// The range of the values; where they are constant their magnitude and `more`.
-fn scale(exact: &[f64], more: f64) -> f64 {
-    let (low, high) = range(exact);
+/// The range; where the values are constant their magnitude and `more`.
+fn scale((low, high): (f64, f64), more: f64) -> f64 {
     let magnitude = low.abs().max(high.abs()) + more;
     if high - low > 1e-9 * magnitude { high - low } else { magnitude }
 }
 
-fn overshoot(found: &[f64], exact: &[f64], scale: f64) -> f64 {
-    let ((low, high), (exact_low, exact_high)) = (range(found), range(exact));
-    (high - exact_high).max(exact_low - low).max(0.0) / scale
+/// How far values lie outside `[low, high]`.
+fn beyond(values: &[f64], (low, high): (f64, f64)) -> f64 {
+    values.iter().map(|&value| (value - high).max(low - value)).fold(0.0, f64::max)
 }
 
-fn excess_variation(found: &[f64], exact: &[f64], scale: f64) -> f64 {
-    let variation =
-        |values: &[f64]| values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>();
-    (variation(found) - variation(exact)) / scale
+fn variation(values: &[f64]) -> f64 {
+    values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum()
 }
 
 #[cfg(test)]
