@@ -291,6 +291,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             conservation,
             pairs: self.pairs,
             waiting: self.waiting,
+            particle_mass: Some(self.spacing),
         }
     }
 }
