@@ -179,20 +179,30 @@ fn test_4_the_jump_within_the_contact_is_larger_with_rusanov() {
     assert!(mismatch("lagrangian-rusanov") < 2.0 * mismatch("lagrangian-exact"));
 }
 
+/// The L1 error of the density with the printed Roe flux over that with the exact flux.
+fn roe_over_exact(number: u8, alpha: f64) -> f64 {
+    let tube = tube(number);
+    let roe = ModifiedRoe { mean: RoeMean::Density, contact: ContactViscosity::Printed(alpha) };
+    let options = LagrangianOptions::new(Flux::ModifiedRoe(roe));
+    let run = Method::Lagrangian(options).run(&tube, 100).expect("valid");
+    Comparison::new(&tube, &run).l1.density / run_exact_density(number)
+}
+
+fn run_exact_density(number: u8) -> f64 {
+    run(number, "lagrangian-exact").1.l1.density
+}
+
 #[test]
-fn roe_is_not_always_the_most_accurate() {
-    // The paper finds the modified Roe flux the most accurate in tests 3 and 4. In the L1 norm of
-    // the density the exact flux is as good or better, whatever the contact viscosity.
-    for number in [3, 4] {
-        let tube = tube(number);
-        let exact = run(number, "lagrangian-exact").1.l1.density;
-        for alpha in [0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0] {
-            let roe =
-                ModifiedRoe { mean: RoeMean::Density, contact: ContactViscosity::Printed(alpha) };
-            let options = LagrangianOptions::new(Flux::ModifiedRoe(roe));
-            let run = Method::Lagrangian(options).run(&tube, 100).expect("valid");
-            let error = Comparison::new(&tube, &run).l1.density;
-            eprintln!("{number} {alpha} {error} {exact}"); //assert!(error > 0.98 * exact, "test {number} α = {alpha}: {error} {exact}");
-        }
+fn test_3_the_exact_flux_is_more_accurate_than_roe_at_any_contact_viscosity() {
+    // The paper finds that the modified Roe flux follows the exact solution best.
+    for alpha in [0.0, 0.05, 0.1, 0.2, 0.5, 1.0] {
+        assert!(roe_over_exact(3, alpha) > 1.02, "{alpha}");
     }
+}
+
+#[test]
+fn test_4_roe_is_the_most_accurate_by_a_little_at_the_right_contact_viscosity() {
+    assert!(roe_over_exact(4, 0.4) < 0.97);
+    assert!(roe_over_exact(4, 0.4) > 0.94);
+    assert!(roe_over_exact(4, 0.0) > 1.05);
 }
