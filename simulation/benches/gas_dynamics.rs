@@ -1,8 +1,8 @@
 //! Speed of the exact Riemann solver and of the Lagrangian scheme.
 //!
 //! Operations. The solver costs, per problem: 3 evaluations of both wave functions on average
-//! (measured below and printed as the mean iteration count; one more pair classifies the
-//! waves), each a square root and a division (shock) or an `exp_m1`, a logarithm and two
+//! (printed as the mean iteration count; one more pair classifies the waves and another gives the
+//! velocity), each a square root and a division (shock) or an `exp_m1`, a logarithm and two
 //! divisions (rarefaction). A step of the Lagrangian scheme with the cubic spline at `l/Δξ = 2`
 //! computes `3N + 6` fluxes (one Riemann problem each with the exact flux; 12 additions and 12
 //! multiplications with Rusanov's), gathers 6 fluxes of 3 components per particle (36
@@ -35,7 +35,15 @@ fn random_pairs(count: usize) -> Vec<(State, State)> {
 fn riemann(criterion: &mut Criterion) {
     let gas = IdealGas::new(1.4).expect("above 1");
     let pairs = random_pairs(1_000_000);
-    let counts: Vec<u32> = pairs.iter().map(|(l, r)| solve(gas, l, r).iterations()).collect();
+    let counts: Vec<u32> = pairs
+        .iter()
+        .map(|(l, r)| {
+            let solution = solve(gas, l, r);
+            assert!(solution.pressure().is_finite() && solution.pressure() >= 0.0);
+            assert!(solution.velocity().is_finite());
+            solution.iterations()
+        })
+        .collect();
     let most = counts.iter().max().copied().unwrap_or(0);
     let mean = counts.iter().map(|&n| f64::from(n)).sum::<f64>() / counts.len() as f64;
     eprintln!("exact solver: {mean:.2} iterations on average, {most} at most");

@@ -1,10 +1,11 @@
 //! The Godunov-type SPH scheme on the uniform mass lattice.
 
-use super::flux::{Flux, LagrangianFlux};
+use super::flux::{ContactViscosity, Flux, LagrangianFlux};
 use super::{LagrangianState, Lattice};
 use crate::riemann::IdealGas;
 use crate::run::{
-    Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, positive,
+    Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, not_negative,
+    positive,
 };
 use crate::scene::{Boundary, MassLattice, Scene};
 use courant_analysis::kernel::Kernel;
@@ -99,6 +100,9 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     /// intermediate state. Beyond an end through which gas flows in there are as many more
     /// particles as will enter until the end time.
     ///
+    /// `flux` is the flux that runs, as a type of its own so that it is inlined;
+    /// [`Method`](crate::method::Method) takes it from `options.flux`.
+    ///
     /// # Errors
     /// [`InvalidOptions`], when `options` has a ratio or Courant number that does not make
     /// sense or there are fewer particles than `2·reach + 1`.
@@ -110,6 +114,11 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     ) -> Result<Self, InvalidOptions> {
         let lattice = Lattice::new(options.kernel, options.ratio)?;
         positive("cfl", options.cfl)?;
+        if let Flux::ModifiedRoe(roe) = options.flux {
+            let (ContactViscosity::Printed(alpha) | ContactViscosity::MassFlux(alpha)) =
+                roe.contact;
+            not_negative("contact viscosity", alpha)?;
+        }
         let reach = lattice.reach();
         let least = 2 * reach + 1;
         if particles < least {

@@ -242,6 +242,24 @@ fn a_uniform_flow_is_kept() {
 }
 
 #[test]
+fn bad_options_are_errors() {
+    let tube = tube("sod");
+    let with = |options: LagrangianOptions| Method::Lagrangian(options).run(&tube, 100);
+    let good = LagrangianOptions::new(Flux::Exact);
+    for bad in [
+        LagrangianOptions { cfl: 0.0, ..good },
+        LagrangianOptions { ratio: -2.0, ..good },
+        LagrangianOptions { ratio: 40.0, ..good },
+        LagrangianOptions::new(Flux::ModifiedRoe(ModifiedRoe {
+            mean: RoeMean::Density,
+            contact: ContactViscosity::Printed(-0.1),
+        })),
+    ] {
+        assert!(with(bad).is_err(), "{bad:?}");
+    }
+}
+
+#[test]
 fn lattices() {
     assert!(Lattice::new(Kernel::CubicSpline, 0.4).is_err());
     assert!(Lattice::new(Kernel::CubicSpline, f64::NAN).is_err());
