@@ -1,0 +1,40 @@
+//! Particle hydrodynamics: SPH, and Godunov particle hydrodynamics after Cha & Whitworth 2003.
+//!
+//! A [`ParticleSystem`] holds particles of a [`Gas`] in a [`Domain`]; a [`PairForce`] says what two of them do to each
+//! other along the line that joins them; an [`Integrator`] advances the system. The dimension is a
+//! compile-time constant that the pair forces do not know.
+
+mod cells;
+mod density;
+mod domain;
+mod failure;
+mod gas;
+mod godunov;
+mod integrator;
+mod neighbours;
+mod pair_force;
+mod pair_weight;
+mod rates;
+mod smoothing_kernel;
+mod system;
+mod thermal;
+mod vector;
+mod viscous;
+
+pub use density::Smoothing;
+pub use domain::{Boundary, Domain, Image};
+pub use failure::Failure;
+pub use gas::{Gas, IsothermalGas};
+pub use godunov::Godunov;
+pub use integrator::{Integrator, Stepper};
+pub use neighbours::{Neighbours, Pair};
+pub use pair_force::{Exchange, PairEnd, PairForce, Work};
+pub use pair_weight::{
+    Convolution, OwnKernels, PairWeight, Product, SumOfSquares, VolumeInterpolation,
+};
+pub use rates::Rates;
+pub use smoothing_kernel::{RadialKernel, SmoothingKernel};
+pub use system::{Counters, ParticleSystem, Particles};
+pub use thermal::ThermalState;
+pub use vector::Vector;
+pub use viscous::{ActsOn, PressureForm, Smoothed, Viscosity};
