@@ -15,6 +15,7 @@ mod neighbours;
 mod pair_force;
 mod pair_weight;
 mod rates;
+mod ring;
 mod smoothing_kernel;
 mod system;
 mod thermal;
@@ -33,8 +34,12 @@ pub use pair_weight::{
     Convolution, OwnKernels, PairWeight, Product, SumOfSquares, VolumeInterpolation,
 };
 pub use rates::Rates;
+pub use ring::{Amplification, Ring};
 pub use smoothing_kernel::{RadialKernel, SmoothingKernel};
 pub use system::{Counters, ParticleSystem, Particles};
 pub use thermal::ThermalState;
 pub use vector::Vector;
 pub use viscous::{ActsOn, PressureForm, Smoothed, Viscosity};
+
+#[cfg(test)]
+mod tests;

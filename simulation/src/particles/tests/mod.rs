@@ -1,0 +1,4 @@
+//! The particle code against slower or independent computations.
+
+mod linear;
+mod pairs;

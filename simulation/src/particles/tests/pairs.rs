@@ -1,0 +1,1 @@
+//! Neighbours, symmetry and conservation.
