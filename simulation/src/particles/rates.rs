@@ -108,16 +108,17 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         rates: &mut Rates<D, G::Thermal>,
     ) -> Result<(), Failure> {
         self.update_fields()?;
-        self.evaluate(force, rates, |_| true);
+        self.evaluate(force, rates, |_| 1.0);
         Ok(())
     }
 
-    /// The rates of the present fields, from the pairs that `active` admits.
+    /// The rates of the present fields, each pair multiplied by a factor; pairs of factor zero are
+    /// not evaluated.
     pub(super) fn evaluate<F: PairForce>(
         &mut self,
         force: &F,
         rates: &mut Rates<D, G::Thermal>,
-        active: impl Fn(&Pair<D>) -> bool + Sync,
+        factor: impl Fn(&Pair<D>) -> f64 + Sync,
     ) {
         let blocks = self.neighbours.blocks.len();
         rates.prepare(blocks);
@@ -125,11 +126,13 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         for_each_block(&mut rates.exchanges, |out| {
             let block = &system.neighbours.blocks[out.block];
             for pair in &block.pairs {
-                let found = if active(pair) { system.pair_rate(force, pair) } else { None };
-                let Some((rate, exchange)) = found else {
+                let factor = factor(pair);
+                let found = if factor == 0.0 { None } else { system.pair_rate(force, pair) };
+                let Some((mut rate, exchange)) = found else {
                     out.rates.push(PairRate::default());
                     continue;
                 };
+                rate.force *= factor;
                 out.interactions += 1;
                 out.iterations += u64::from(exchange.iterations);
                 let image = &system.neighbours.images()[pair.image as usize];

@@ -130,7 +130,7 @@ impl Ring {
                     sum += Complex64::from_polar((plus[j] - minus[j]) / (2.0 * scale), -angle(j));
                 }
                 // cos is half of two conjugate modes, except where these are the same.
-                let share = if 2 * mode % count == 0 { 1.0 } else { 2.0 };
+                let share = if (2 * mode).is_multiple_of(count) { 1.0 } else { 2.0 };
                 matrix[row][column] = sum * (share / count as f64);
             }
         }

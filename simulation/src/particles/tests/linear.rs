@@ -152,6 +152,8 @@ fn viscosity_damps_like_the_lattice_sum() {
             .expect("a smooth state");
         let measured = (step[1][1].re - 1.0) / 0.1;
         let expected = -alpha * h * C * lattice.b;
-        assert!(measured / expected < 1.0 && measured / expected > 1.0 / (1.0 + 0.01 * h * h) - 1e-8);
+        assert!(
+            measured / expected < 1.0 && measured / expected > 1.0 / (1.0 + 0.01 * h * h) - 1e-8
+        );
     }
 }
