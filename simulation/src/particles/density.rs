@@ -36,8 +36,10 @@ impl Smoothing {
     }
 }
 
-/// Newton's iteration for one `h` takes three or four steps; oscillation is the only reason for more.
-const MOST_ITERATIONS: usize = 60;
+/// Newton's iteration for one `h` takes three or four steps from the last one's.
+const NEWTON_STEPS: usize = 8;
+/// Bisection of a bracket as wide as the ones Newton leaves takes thirty.
+const MOST_ITERATIONS: usize = 100;
 /// Searches in ranges growing by half each: enough for any gap a few thousand spacings wide.
 const MOST_SEARCHES: usize = 40;
 
@@ -185,7 +187,11 @@ impl<const D: usize> DensitySum<D> {
     }
 }
 
-/// Newton for `h − η (m/ρ(h))^(1/D) = 0`, in steps of at most a third.
+/// Newton for `F = h − η (m/ρ(h))^(1/D) = 0`, in steps of at most a third and inside the bracket
+/// that its own signs have made.
+///
+/// The density jumps where a neighbour crosses the cut of a Gaussian, and there may be no root, only a
+/// change of sign: the bracket then closes on the jump, and its lower side is the answer.
 fn newton<const D: usize>(
     sums: impl Fn(f64) -> (f64, f64),
     eta: f64,
@@ -195,18 +201,35 @@ fn newton<const D: usize>(
     widest: f64,
 ) -> Outcome {
     let mut h = start;
-    for _ in 0..MOST_ITERATIONS {
+    let (mut lower, mut upper) = (0.0_f64, f64::INFINITY);
+    for iteration in 0..MOST_ITERATIONS {
         let (density, change) = sums(h);
         let target = eta * (mass / density).powf(1.0 / D as f64);
+        if !target.is_finite() {
+            return Outcome::Failed;
+        }
+        if h < target {
+            lower = lower.max(h);
+        } else {
+            upper = upper.min(h);
+        }
         // The slope is one minus the logarithmic response of the target; it is kept away from zero
         // where a kernel's edge makes it useless.
         let slope = (1.0 + target * change / (D as f64 * density)).max(0.3);
-        let next = (h - (h - target) / slope).clamp(0.7 * h, 1.4 * h);
-        if !next.is_finite() {
-            return Outcome::Failed;
-        }
+        let mut next = (h - (h - target) / slope).clamp(0.7 * h, 1.4 * h);
         if (next - h).abs() <= tolerance * h {
             return Outcome::Done { density, h };
+        }
+        if upper - lower <= tolerance * lower {
+            return Outcome::Done { density: sums(lower).0, h: lower };
+        }
+        // Where the density responds to h about as strongly as h to it, Newton creeps: after a
+        // few steps look for the change of sign alone.
+        let creeping = iteration >= NEWTON_STEPS;
+        if next <= lower || next >= upper || (creeping && lower > 0.0 && upper.is_finite()) {
+            next = 0.5 * (lower + upper);
+        } else if creeping {
+            next = if h < target { 1.3 * h } else { 0.75 * h };
         }
         if next > widest {
             return Outcome::Wider { h: widest };
