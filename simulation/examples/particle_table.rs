@@ -43,7 +43,7 @@ fn main() {
                 number(run.drift.energy),
                 run.penetration.largest,
                 run.counters.interactions,
-                run.failure.map_or_else(String::new, |f| format!("t = {:.3e}: {f}", run.time)),
+                run.failure.map_or_else(String::new, |f| f.to_string()),
             );
         }
     }

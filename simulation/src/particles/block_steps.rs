@@ -1,12 +1,12 @@
 //! Individual time steps in blocks of powers of two.
 
-use super::failure::Failure;
 use super::gas::Gas;
 use super::pair_force::{PairForce, Work};
 use super::rates::Rates;
 use super::system::ParticleSystem;
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
+use crate::run::Reason;
 
 /// Advances particles by steps `Δ/2^level`, first order in time.
 ///
@@ -55,21 +55,21 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
     /// One block, no longer than `longest`, with steps of `courant` crossing times; its length.
     ///
     /// # Errors
-    /// [`Failure`] if the particles leave the states of a gas, or a step is too small to be one.
+    /// [`Reason`] if the particles leave the states of a gas, or a step is too small to be one.
     pub fn block<G: Gas<Thermal = T>, F: PairForce>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
         courant: f64,
         longest: f64,
-    ) -> Result<f64, Failure> {
+    ) -> Result<f64, Reason> {
         system.rates(force, &mut self.rates)?;
         let count = system.particles.len();
         let own = |i: usize| courant * system.particles.smoothing[i] / self.rates.signal[i];
         let shortest = (0..count).map(own).fold(f64::INFINITY, f64::min);
         let slowest = (0..count).map(own).fold(0.0, f64::max);
         if shortest.is_nan() || shortest <= 1e-13 * longest {
-            return Err(Failure::StepTooSmall { step: shortest });
+            return Err(Reason::TimeStep { value: shortest });
         }
         let length = longest.min(slowest).min(shortest * f64::from(1_u32 << self.levels));
         self.level.clear();

@@ -1,9 +1,9 @@
 //! Density by summation, and the smoothing length that belongs to it.
 
-use super::failure::Failure;
 use super::neighbours::{Block, Neighbour, Neighbours, for_each_block};
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
 use super::vector::Vector;
+use crate::run::Reason;
 
 /// How smoothing lengths are chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,7 +109,7 @@ impl<const D: usize> DensitySum<D> {
         smoothing: &mut [f64],
         density: &mut [f64],
         neighbours: &mut Neighbours<D>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Reason> {
         let mut margin = self.rule.margin();
         for _ in 0..MOST_SEARCHES {
             let range = self.kernel.support() * self.reach * margin;
@@ -121,7 +121,7 @@ impl<const D: usize> DensitySum<D> {
             }
             margin = 1.5;
         }
-        Err(Failure::SmoothingLength { particle: 0 })
+        Err(Reason::SmoothingLength { particle: 0 })
     }
 
     /// One pass over all particles; whether some need pairs from further away.
@@ -132,7 +132,7 @@ impl<const D: usize> DensitySum<D> {
         density: &mut [f64],
         margin: f64,
         neighbours: &Neighbours<D>,
-    ) -> Result<bool, Failure> {
+    ) -> Result<bool, Reason> {
         self.scratch.resize_with(neighbours.blocks.len(), Scratch::default);
         let (kernel, rule) = (&self.kernel, self.rule);
         let lengths = &*smoothing;
@@ -176,7 +176,7 @@ impl<const D: usize> DensitySum<D> {
         let mut widened = false;
         for (block, scratch) in neighbours.blocks.iter().zip(&self.scratch) {
             if let Some(particle) = scratch.failed {
-                return Err(Failure::SmoothingLength { particle });
+                return Err(Reason::SmoothingLength { particle });
             }
             widened |= scratch.widened;
             let range = block.start..block.start + block.len;

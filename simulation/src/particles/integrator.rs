@@ -1,12 +1,12 @@
 //! Time integrators with one global step.
 
-use super::failure::Failure;
 use super::gas::Gas;
 use super::pair_force::{PairForce, Work};
 use super::rates::Rates;
 use super::system::ParticleSystem;
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
+use crate::run::Reason;
 
 /// How positions, velocities and energies advance by a step `dt`; `a(x, v)` is the acceleration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -121,12 +121,12 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
     /// chosen from them; [`finish`](Self::finish) takes it.
     ///
     /// # Errors
-    /// [`Failure`] if the state is not one of a gas.
+    /// [`Reason`] if the state is not one of a gas.
     pub fn begin<G: Gas<Thermal = T>, F: PairForce>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Reason> {
         system.rates(force, &mut self.rates)?;
         self.started = true;
         Ok(())
@@ -143,13 +143,13 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
     /// One step of length `dt`, [`begin`](Self::begin) included unless it was just called.
     ///
     /// # Errors
-    /// [`Failure`] if a stage leaves the states of a gas.
+    /// [`Reason`] if a stage leaves the states of a gas.
     pub fn step<G: Gas<Thermal = T>, F: PairForce>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
         dt: f64,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Reason> {
         if !self.started {
             self.begin(system, force)?;
         }

@@ -8,7 +8,6 @@ mod block_steps;
 mod cells;
 mod density;
 mod domain;
-mod failure;
 mod gas;
 mod godunov;
 mod integrator;
@@ -30,7 +29,6 @@ mod viscous;
 pub use block_steps::BlockStepper;
 pub use density::Smoothing;
 pub use domain::{Boundary, Domain, Image};
-pub use failure::Failure;
 pub use gas::{Gas, IsothermalGas};
 pub use godunov::Godunov;
 pub use integrator::{Integrator, Stepper};
@@ -41,7 +39,7 @@ pub use pair_weight::{
     Convolution, OwnKernels, PairWeight, Product, SumOfSquares, VolumeInterpolation,
 };
 pub use rates::Rates;
-pub use result::{Drift, Errors, ParticleProfile, ParticleRun, Penetration};
+pub use result::{Drift, Errors, ParticleRun, Penetration};
 pub use ring::{Amplification, Ring};
 pub use run::run_particles;
 pub use scene::{Flow, Material, PARTICLE_SCENES, ParticleScene};

@@ -1,12 +1,12 @@
 //! The rates a pair force gives the particles: pairs first, each once; then sums over each particle's neighbours.
 
-use super::failure::Failure;
 use super::gas::Gas;
 use super::neighbours::{Block, Pair, for_each_block};
 use super::pair_force::{Exchange, PairEnd, PairForce};
 use super::system::{Counters, ParticleSystem};
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
+use crate::run::Reason;
 
 /// Time derivatives, of length N.
 #[derive(Debug, Clone)]
@@ -106,7 +106,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         &mut self,
         force: &F,
         rates: &mut Rates<D, G::Thermal>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Reason> {
         self.update_fields()?;
         self.evaluate(force, rates, |_| 1.0);
         Ok(())

@@ -1,25 +1,8 @@
 //! What a run leaves behind.
 
-use super::failure::Failure;
 use super::scene::{Material, ParticleScene};
 use super::system::Counters;
-
-/// Columns of equal length, in the order of the particles at the start.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ParticleProfile {
-    /// Positions.
-    pub x: Vec<f64>,
-    /// Densities.
-    pub density: Vec<f64>,
-    /// Velocities.
-    pub velocity: Vec<f64>,
-    /// Pressures.
-    pub pressure: Vec<f64>,
-    /// Specific internal energies; empty for an isothermal gas.
-    pub energy: Vec<f64>,
-    /// Smoothing lengths.
-    pub smoothing: Vec<f64>,
-}
+use crate::run::{Failure, Profile};
 
 /// The change of conserved quantities, without sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +48,7 @@ pub struct Errors {
 
 impl Errors {
     /// `None` if the scene has no exact solution or no particle is inside.
-    pub fn new(scene: &ParticleScene, profile: &ParticleProfile, time: f64) -> Option<Self> {
+    pub fn new(scene: &ParticleScene, profile: &Profile, time: f64) -> Option<Self> {
         let [from, to] = scene.window;
         let (mut inside, mut sums) = (0, [0.0; 4]);
         for (i, &x) in profile.x.iter().enumerate().filter(|(_, x)| (from..=to).contains(*x)) {
@@ -94,8 +77,10 @@ impl Errors {
 /// The result of a run. A run that broke down is a result too.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParticleRun {
-    /// The state at [`time`](Self::time).
-    pub profile: ParticleProfile,
+    /// The state at [`time`](Self::time); no energies for an isothermal gas.
+    pub profile: Profile,
+    /// Smoothing lengths, in the same order.
+    pub smoothing: Vec<f64>,
     /// How many steps were taken; with block steps, substeps.
     pub steps: u64,
     /// The time reached.

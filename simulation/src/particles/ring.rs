@@ -2,12 +2,12 @@
 
 use super::density::Smoothing;
 use super::domain::{Boundary, Domain};
-use super::failure::Failure;
 use super::gas::IsothermalGas;
 use super::integrator::{Integrator, Stepper};
 use super::pair_force::PairForce;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
+use crate::run::Reason;
 use courant_analysis::kernel::Kernel;
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -43,7 +43,7 @@ impl Ring {
     /// Positions and velocities after one step from any state, positions not wrapped.
     ///
     /// # Errors
-    /// [`Failure`] if the state or a stage of the step is not one of a gas.
+    /// [`Reason`] if the state or a stage of the step is not one of a gas.
     ///
     /// # Panics
     /// Unless there is one position and one velocity for each particle.
@@ -54,7 +54,7 @@ impl Ring {
         dt: f64,
         positions: &[f64],
         velocities: &[f64],
-    ) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+    ) -> Result<(Vec<f64>, Vec<f64>), Reason> {
         assert_eq!((positions.len(), velocities.len()), (self.particles, self.particles));
         let particles = Particles {
             position: positions.iter().map(|&x| [x]).collect(),
@@ -94,7 +94,7 @@ impl Ring {
     /// let step = ring.amplification(&gph1, Integrator::ForwardEuler, 0.1, 3, 1e-5)?;
     /// assert!((step[0][1].re - 0.1).abs() < 1e-10); // x' = x + dt v
     /// assert!(step[1][1].re < 1.0); // the Riemann problem damps
-    /// # Ok::<(), Failure>(())
+    /// # Ok::<(), courant_simulation::run::Reason>(())
     /// ```
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl Ring {
         dt: f64,
         mode: usize,
         size: f64,
-    ) -> Result<Amplification, Failure> {
+    ) -> Result<Amplification, Reason> {
         let count = self.particles;
         // Angles reduced exactly before they are multiplied by an inexact π.
         let angle = |j: usize| 2.0 * PI * ((mode * j) % count) as f64 / count as f64;

@@ -2,7 +2,6 @@
 
 use super::block_steps::BlockStepper;
 use super::domain::Domain;
-use super::failure::Failure;
 use super::gas::Gas;
 use super::godunov::Godunov;
 use super::integrator::Stepper;
@@ -11,13 +10,15 @@ use super::method::{
 };
 use super::pair_force::PairForce;
 use super::pair_weight::{Convolution, OwnKernels, Product, SumOfSquares};
-use super::result::{Drift, Errors, ParticleProfile, ParticleRun, Penetration};
+use super::result::{Drift, Errors, ParticleRun, Penetration};
 use super::scene::{Material, ParticleScene};
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
+use super::thermal::ThermalState;
 use super::viscous::{PressureForm, Smoothed};
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{ExactIdeal, StarSolver, Stopping, VanLeer};
+use crate::run::{Failure, Profile, Reason};
 
 /// Runs a scene to its end time with `particles` particles (about that many: layers get whole ones).
 ///
@@ -112,7 +113,11 @@ fn evolve<G: Gas, F: PairForce>(
         }
     };
     // The fields belong to the last evaluation; the profile to the end.
-    let failure = outcome.and_then(|()| system.update_fields()).err();
+    let failure = outcome.and_then(|()| system.update_fields()).err().map(|reason| Failure {
+        reason,
+        time: clock.time,
+        step: clock.steps as usize + 1,
+    });
     let end = Totals::of(&system);
     let profile = profile(&system);
     let drift = Drift {
@@ -129,6 +134,7 @@ fn evolve<G: Gas, F: PairForce>(
         steps: clock.steps,
         time: clock.time,
         failure,
+        smoothing: system.particles.smoothing.clone(),
         drift,
         counters: system.counters,
         penetration: clock.penetration,
@@ -178,13 +184,13 @@ impl Clock<'_> {
         system: &mut ParticleSystem<1, G>,
         force: &F,
         stepper: &mut Stepper<1, G::Thermal>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Reason> {
         let end = self.scene.end_time;
         while self.time < end {
             stepper.begin(system, force)?;
             let wanted = self.options.courant * stepper.crossing_time(system);
             if wanted.is_nan() || wanted < SMALLEST_STEP * end {
-                return Err(Failure::StepTooSmall { step: wanted });
+                return Err(Reason::TimeStep { value: wanted });
             }
             // Two equal last steps rather than a whole one and a sliver.
             let left = end - self.time;
@@ -207,7 +213,7 @@ impl Clock<'_> {
         system: &mut ParticleSystem<1, G>,
         force: &F,
         stepper: &mut BlockStepper<1, G::Thermal>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Reason> {
         let end = self.scene.end_time;
         while self.time < end {
             let left = end - self.time;
@@ -219,11 +225,11 @@ impl Clock<'_> {
         Ok(())
     }
 
-    fn tick<G: Gas>(&mut self, system: &ParticleSystem<1, G>) -> Result<(), Failure> {
+    fn tick<G: Gas>(&mut self, system: &ParticleSystem<1, G>) -> Result<(), Reason> {
         self.steps += 1;
         self.penetration.observe(&system.particles.position);
         if self.steps >= self.options.max_steps && self.time < self.scene.end_time {
-            return Err(Failure::TooManySteps { steps: self.steps });
+            return Err(Reason::StepLimit { limit: self.options.max_steps as usize });
         }
         Ok(())
     }
@@ -256,17 +262,13 @@ impl Totals {
     }
 }
 
-fn profile<G: Gas>(system: &ParticleSystem<1, G>) -> ParticleProfile {
+fn profile<G: Gas>(system: &ParticleSystem<1, G>) -> Profile {
     let state = &system.particles;
-    ParticleProfile {
+    Profile {
         x: state.position.iter().map(|x| x[0]).collect(),
         density: system.density().to_vec(),
         velocity: state.velocity.iter().map(|v| v[0]).collect(),
         pressure: system.pressure().to_vec(),
-        energy: {
-            use super::thermal::ThermalState;
-            state.thermal.iter().map_while(|thermal| thermal.energy()).collect()
-        },
-        smoothing: state.smoothing.clone(),
+        energy: state.thermal.iter().map_while(|thermal| thermal.energy()).collect(),
     }
 }

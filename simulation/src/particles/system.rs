@@ -2,13 +2,13 @@
 
 use super::density::{DensitySum, Smoothing};
 use super::domain::Domain;
-use super::failure::Failure;
 use super::gas::Gas;
 use super::neighbours::{Neighbours, Pair};
 use super::pair_force::PairForce;
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
+use crate::run::Reason;
 
 /// What is advanced in time: one array per quantity, all of length N.
 #[derive(Debug, Clone, PartialEq)]
@@ -154,18 +154,18 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
     /// Density, pressure and sound speed of the present state, and its pairs.
     ///
     /// # Errors
-    /// [`Failure`] if the state is not one of a gas.
-    pub fn update_fields(&mut self) -> Result<(), Failure> {
+    /// [`Reason`] if the state is not one of a gas.
+    pub fn update_fields(&mut self) -> Result<(), Reason> {
         let state = &mut self.particles;
         for (particle, (x, v)) in state.position.iter().zip(&state.velocity).enumerate() {
             if !x.iter().chain(v).all(|component| component.is_finite()) {
-                return Err(Failure::NotFinite { particle });
+                return Err(Reason::NotFinite { particle });
             }
         }
         for (particle, thermal) in state.thermal.iter().enumerate() {
             if !thermal.is_physical() {
-                let energy = thermal.energy().unwrap_or(f64::NAN);
-                return Err(Failure::NegativeEnergy { particle, energy });
+                let value = thermal.energy().unwrap_or(f64::NAN);
+                return Err(Reason::InternalEnergy { particle, value });
             }
         }
         self.sum.solve(
