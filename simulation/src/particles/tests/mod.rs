@@ -2,3 +2,4 @@
 
 mod linear;
 mod pairs;
+mod runs;
