@@ -49,18 +49,18 @@ fn system<G: Gas>(
 fn measure<G: Gas>(c: &mut Criterion, name: &str, gas: G, kernel: Kernel, force: &impl PairForce) {
     let eta = if kernel == Kernel::Gaussian { 1.05 } else { 1.0 };
     let mut group = c.benchmark_group("forces");
-    group.sample_size(10);
+    let mut first = system(gas, kernel, eta, force);
+    first.rates(force, &mut Rates::default()).expect("a physical state");
+    group.sample_size(10).throughput(Throughput::Elements(first.counters.interactions));
     for threads in [1, 2] {
         let pool =
             rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a thread pool");
-        pool.install(|| {
-            let mut system = system(gas, kernel, eta, force);
-            let mut rates = Rates::default();
-            system.rates(force, &mut rates).expect("a physical state");
-            group.throughput(Throughput::Elements(system.counters.interactions));
-            group.bench_function(BenchmarkId::new(name, format!("{threads} threads")), |bencher| {
-                bencher.iter(|| system.rates(force, &mut rates).expect("a physical state"));
-            });
+        let mut system = system(gas, kernel, eta, force);
+        let mut rates = Rates::default();
+        let mut evaluate = || pool.install(|| system.rates(force, &mut rates));
+        evaluate().expect("a physical state");
+        group.bench_function(BenchmarkId::new(name, format!("{threads} threads")), |bencher| {
+            bencher.iter(|| evaluate().expect("a physical state"));
         });
     }
     group.finish();

@@ -10,8 +10,8 @@ use crate::run::Reason;
 
 /// Advances particles by steps `Δ/2^level`, first order in time.
 ///
-/// A block of length `Δ` begins with everybody at one time. Levels are set there, from each
-/// particle's own signal velocity, and so that two which interact differ by one at most; they hold for
+/// A block of length `Δ` begins with everybody at one time. Levels are set there, from the signal
+/// velocities of each particle and of those around it, and so that two which interact differ by one at most; they hold for
 /// the block. A **pair** has the shorter step of its two particles: its force is evaluated
 /// when that step begins and its impulse goes to both, so that momentum is conserved to round-off
 /// whatever the levels. A particle takes the sum of its impulses at the end of its own step; until
@@ -25,6 +25,8 @@ pub struct BlockStepper<const D: usize, T> {
     levels: u32,
     rates: Rates<D, T>,
     level: Vec<u32>,
+    signal: Vec<f64>,
+    old_signal: Vec<f64>,
     impulse: Vec<Vector<D>>,
     energy: Vec<T>,
     /// Momentum that the walls have given so far.
@@ -40,6 +42,8 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             levels,
             rates: Rates::default(),
             level: Vec::new(),
+            signal: Vec::new(),
+            old_signal: Vec::new(),
             impulse: Vec::new(),
             energy: Vec::new(),
             wall_impulse: [0.0; D],
@@ -65,7 +69,8 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
     ) -> Result<f64, Reason> {
         system.rates(force, &mut self.rates)?;
         let count = system.particles.len();
-        let own = |i: usize| courant * system.particles.smoothing[i] / self.rates.signal[i];
+        self.warn(system);
+        let own = |i: usize| courant * system.particles.smoothing[i] / self.signal[i];
         let shortest = (0..count).map(own).fold(f64::INFINITY, f64::min);
         let slowest = (0..count).map(own).fold(0.0, f64::max);
         if shortest.is_nan() || shortest <= 1e-13 * longest {
@@ -96,6 +101,21 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             self.substeps += 1;
         }
         Ok(length)
+    }
+
+    /// Signal velocities, the largest among a particle's neighbours, their neighbours, and so on
+    /// through as many shells as there are levels: the way of a shock during the block. Without it
+    /// a cold particle would be run over in the middle of a step it chose in peace.
+    fn warn<G: Gas<Thermal = T>>(&mut self, system: &ParticleSystem<D, G>) {
+        self.signal.clone_from(&self.rates.signal);
+        for _ in 0..self.levels {
+            self.old_signal.clone_from(&self.signal);
+            for pair in system.neighbours().pairs() {
+                let (a, b) = (pair.first as usize, pair.second as usize);
+                self.signal[a] = self.signal[a].max(self.old_signal[b]);
+                self.signal[b] = self.signal[b].max(self.old_signal[a]);
+            }
+        }
     }
 
     /// Raises levels until two particles that interact differ by one at most.

@@ -118,7 +118,7 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
     }
 
     /// Evaluates the rates at the present state, where a step begins. A time step can then be
-    /// chosen from them; [`finish`](Self::finish) takes it.
+    /// chosen from them; [`step`](Self::step) takes it.
     ///
     /// # Errors
     /// [`Reason`] if the state is not one of a gas.

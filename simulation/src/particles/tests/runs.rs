@@ -156,6 +156,17 @@ fn blocks_of_steps_conserve_and_save_pairs() {
     }
 }
 
+/// Cold gas far from the shock would take long steps by its own signal velocity, and be run over.
+#[test]
+fn cold_gas_is_warned_of_a_shock_within_a_block() {
+    let block = run("noh", ParticleMethod::Gph3, |options| {
+        options.sharing = StepSharing::Block { levels: 4 };
+    });
+    assert!(block.completed(), "{:?}", block.failure);
+    assert!(block.drift.energy.expect("an energy equation") < 1e-13);
+    assert!(block.errors.expect("an exact solution").velocity < 0.02);
+}
+
 #[test]
 fn one_block_level_is_the_global_step() {
     let global = run("sod-sph", ParticleMethod::Gph3, |_| {});
