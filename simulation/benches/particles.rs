@@ -1,23 +1,27 @@
 //! Pair interactions per second of every particle method: 10⁵ particles on a line, one and two threads.
 //!
-//! One iteration is one evaluation of the forces: search of pairs, density with adaptive smoothing lengths, equation
-//! of state, every pair once, sums over neighbours. Throughput counts pairs in which a force
-//! acts: about 1.1 per particle for the cubic spline at `η = 1` with noise, 3 for the Gaussian of case 4.
+//! One iteration is one evaluation of the forces: search of pairs, density with adaptive smoothing
+//! lengths, equation of state, every pair once, sums over neighbours. Throughput counts pairs in
+//! which a force acts: about 1.2 per particle for the cubic spline at `η = 1`, 4 for the Gaussian of
+//! case 4.
 //!
-//! Operations per pair, beside the search (some 30 additions and comparisons, 60 bytes written and sorted) and
-//! three densities sums with two kernel polynomials each (2 × 2 × 8 operations per end):
-//! SPH: a kernel slope (8), the viscosity and pressure terms (about 30, three divisions);
-//! GPH with van Leer: a kernel slope or two, two square roots for the sound speeds, and per iteration and side one
-//! square root in a compression or one logarithm and three exponentials in an expansion, about 20 to 120
-//! operations; isothermal GPH: three square roots in all. At the 5·10⁹ operations of a core that adds no vectors
-//! this bounds SPH near 3·10⁷ and ideal GPH near 10⁷ pairs per second and core; memory (about 200 bytes
-//! a pair, from cache) does not bind.
+//! Floating-point operations of the force on one pair, divisions and roots counted as one:
+//! SPH about 50 (kernel slope 10, ends 15, pressure and viscosity 25). GPH with van Leer about 50,
+//! and for each iteration and side 12 in a compression (one root) or three transcendental functions
+//! and 10 in an expansion; a noisy gas needs about half an iteration. Isothermal GPH about 70.
+//! Case 4: 40 more for the convolution and an exponential for each kernel.
+//!
+//! At some 4·10⁹ scalar operations a second a core could do 8·10⁷ SPH pairs: the force is not what
+//! costs. Sampling an evaluation of SPH finds half of the time in the search (sorting into cells, writing
+//! pairs of 40 bytes and neighbours of 32 bytes twice, sorting neighbours by distance), a quarter in the two
+//! or three density sums of Newton's iteration, and a tenth in the forces. The search
+//! is partly serial, which bounds the gain from threads.
 
 use courant_analysis::kernel::Kernel;
 use courant_simulation::particles::*;
 use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
 use courant_simulation::riemann::{ExactIdeal, IdealGas, StarSolver, State, Stopping, VanLeer};
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BenchmarkId, Criterion, Throughput};
 use std::hint::black_box;
 
 const PARTICLES: usize = 100_000;
@@ -117,5 +121,9 @@ fn solvers(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, forces, solvers);
-criterion_main!(benches);
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    forces(&mut criterion);
+    solvers(&mut criterion);
+    criterion.final_summary();
+}
