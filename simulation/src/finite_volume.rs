@@ -63,6 +63,7 @@ pub fn run(
         conservation,
         pairs: grid.pairs,
         waiting: [0; 2],
+        particle_mass: None,
     })
 }
 
@@ -158,5 +159,63 @@ impl Evolution for Grid {
             self.inflow.0[c] += step * (self.fluxes[0][c] - self.fluxes[self.fluxes.len() - 1][c]);
         }
         broken.map_or(Ok(()), Err)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FiniteVolumeOptions, run};
+    use crate::comparison::Comparison;
+    use crate::run::{InvalidOptions, Run};
+    use crate::scene::{STANDARD_TUBES, Scene, ShockTube, SimpleWave, WaveData};
+
+    fn tube(name: &str) -> ShockTube {
+        ShockTube::standard(name).expect("it is in the list")
+    }
+
+    fn run_default(scene: &dyn Scene, cells: usize) -> Run {
+        run(scene, cells, &FiniteVolumeOptions::default()).expect("the defaults are valid")
+    }
+
+    #[test]
+    fn a_contact_at_rest_on_a_face_stays() {
+        let run = run_default(&tube("toro6"), 100);
+        for i in 0..100 {
+            assert_eq!(run.profile.density[i], if i < 50 { 1.4 } else { 1.0 });
+            assert_eq!((run.profile.velocity[i], run.profile.pressure[i]), (0.0, 1.0));
+        }
+    }
+
+    #[test]
+    fn all_tubes_conserve_to_round_off() {
+        for name in STANDARD_TUBES {
+            let run = run_default(&tube(name), 100);
+            assert!(run.completed(), "{name}");
+            assert_eq!(run.pairs, 101 * run.steps as u64);
+            let bound = f64::EPSILON * (run.steps as f64 + 30.0);
+            let drift = run.conservation;
+            assert!(drift.mass.abs() < bound && drift.energy.abs() < bound, "{name} {drift:?}");
+            assert!(drift.momentum.abs() < bound, "{name} {drift:?}");
+        }
+    }
+
+    #[test]
+    fn a_smooth_wave_converges_at_first_order() {
+        let data = WaveData { amplitude: 0.1, gamma: 1.4, end_time: 0.5, particles: 100 };
+        let wave = SimpleWave::new(data).expect("smooth");
+        let error = |cells| Comparison::new(&wave, &run_default(&wave, cells)).l1.density;
+        let order = (error(200) / error(400)).log2();
+        assert!((0.85..1.15).contains(&order), "{order}");
+    }
+
+    #[test]
+    fn bad_options_are_errors() {
+        let tube = tube("sod");
+        let bad = FiniteVolumeOptions { cfl: -1.0, ..FiniteVolumeOptions::default() };
+        assert_eq!(
+            run(&tube, 100, &bad),
+            Err(InvalidOptions::NotPositive { name: "cfl", value: -1.0 })
+        );
+        assert!(run(&tube, 0, &FiniteVolumeOptions::default()).is_err());
     }
 }

@@ -98,8 +98,17 @@ pub fn run(
     let (steps, time, failure) = drive(&mut fluid, scene.end_time(), options.max_steps);
     let [mass, momentum, energy] = fluid.totals().drift(start, fluid.inflow, scale);
     let conservation = Conservation { mass, momentum, energy, volume: None };
-    let (pairs, waiting) = (fluid.pairs, fluid.waiting);
-    Ok(Run { profile: fluid.into_profile(), steps, time, failure, conservation, pairs, waiting })
+    let (pairs, waiting, particle_mass) = (fluid.pairs, fluid.waiting, Some(fluid.mass));
+    Ok(Run {
+        profile: fluid.into_profile(),
+        steps,
+        time,
+        failure,
+        conservation,
+        pairs,
+        waiting,
+        particle_mass,
+    })
 }
 
 /// The particles. Every column is in the order of the particles at the start.
@@ -233,3 +242,6 @@ impl Evolution for Fluid {
         self.check()
     }
 }
+
+#[cfg(test)]
+mod tests;

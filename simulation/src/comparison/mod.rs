@@ -6,7 +6,7 @@ mod waves;
 pub use columns::Columns;
 pub use waves::{WaveKind, WavePosition};
 
-use crate::run::Run;
+use crate::run::{Profile, Run};
 use crate::scene::Scene;
 use columns::per_column;
 
@@ -31,6 +31,10 @@ pub struct Comparison {
     /// at the same points, over the range of the exact solution. Smearing leaves it at 0 or
     /// below, oscillations raise it.
     pub excess_variation: Columns<f64>,
+    /// The largest part by which the distance of two neighbours (in the order of the start) differs from
+    /// the one that their densities ask for, `m (1/ρ_i + 1/ρ_{i+1})/2`; below −1 they have passed
+    /// each other. `None` for cells.
+    pub spacing_mismatch: Option<f64>,
     /// The acoustic waves and the contact of a Riemann problem.
     pub waves: Vec<WavePosition>,
     /// The distance over which the density covers the middle 80 % of the jump at the
@@ -93,6 +97,9 @@ impl Comparison {
                 variation(found) - variation(exact)
             })
             .over(&scale),
+            spacing_mismatch: run
+                .particle_mass
+                .and_then(|mass| spacing_mismatch(&run.profile, mass, window)),
             waves,
             contact_width: waves::contact_width(scene, run.time, &x, &found.density),
             glitch: waves::glitch(scene, run.time, &x, &found.velocity),
@@ -102,6 +109,17 @@ impl Comparison {
 
 fn mean_error(found: &[f64], exact: &[f64]) -> f64 {
     found.iter().zip(exact).map(|(a, b)| (a - b).abs()).sum::<f64>() / found.len() as f64
+}
+
+/// The mismatch of largest magnitude among the neighbours that are both in the window.
+fn spacing_mismatch(profile: &Profile, mass: f64, [from, to]: [f64; 2]) -> Option<f64> {
+    profile
+        .x
+        .windows(2)
+        .zip(profile.density.windows(2))
+        .filter(|(x, _)| x.iter().all(|&x| x >= from && x <= to))
+        .map(|(x, rho)| (x[1] - x[0]) / (0.5 * mass * (rho[0].recip() + rho[1].recip())) - 1.0)
+        .max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
 /// Where the exact solution is sampled for its extent, besides the ends of the window.

@@ -1,10 +1,11 @@
 //! The Godunov-type SPH scheme on the uniform mass lattice.
 
-use super::flux::{Flux, LagrangianFlux};
+use super::flux::{ContactViscosity, Flux, LagrangianFlux};
 use super::{LagrangianState, Lattice};
 use crate::riemann::IdealGas;
 use crate::run::{
-    Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, positive,
+    Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, not_negative,
+    positive,
 };
 use crate::scene::{Boundary, MassLattice, Scene};
 use courant_analysis::kernel::Kernel;
@@ -80,8 +81,9 @@ pub struct LagrangianScheme<F> {
     states: Vec<LagrangianState>,
     x: Vec<f64>,
     waiting: [usize; 2],
-    /// For each offset `k` and `m` in `0..N + k` the flux from particle `m − k` to `m`.
-    fluxes: Vec<Vec<[f64; 3]>>,
+    /// Rows of one flux per offset `k`: row `m` in `0..N + reach` holds those from particle `m − k` to
+    /// `m`, for `m < N + k`.
+    fluxes: Vec<[f64; 3]>,
     /// What came in through the ends, in units of the totals.
     inflow: Totals,
     pairs: u64,
@@ -98,6 +100,9 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     /// intermediate state. Beyond an end through which gas flows in there are as many more
     /// particles as will enter until the end time.
     ///
+    /// `flux` is the flux that runs, as a type of its own so that it is inlined;
+    /// [`Method`](crate::method::Method) takes it from `options.flux`.
+    ///
     /// # Errors
     /// [`InvalidOptions`], when `options` has a ratio or Courant number that does not make
     /// sense or there are fewer particles than `2·reach + 1`.
@@ -109,6 +114,11 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     ) -> Result<Self, InvalidOptions> {
         let lattice = Lattice::new(options.kernel, options.ratio)?;
         positive("cfl", options.cfl)?;
+        if let Flux::ModifiedRoe(roe) = options.flux {
+            let (ContactViscosity::Printed(alpha) | ContactViscosity::MassFlux(alpha)) =
+                roe.contact;
+            not_negative("contact viscosity", alpha)?;
+        }
         let reach = lattice.reach();
         let least = 2 * reach + 1;
         if particles < least {
@@ -122,7 +132,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         for (i, place) in states[reach..reach + count].iter_mut().enumerate() {
             *place = state(i);
         }
-        let fluxes = lattice.offsets().iter().map(|&(k, _)| vec![[0.0; 3]; count + k]).collect();
+        let fluxes = vec![[0.0; 3]; (count + reach) * lattice.offsets().len()];
         let mut scheme = Self {
             gas,
             boundary: scene.boundary(),
@@ -203,22 +213,26 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     }
 
     fn compute_fluxes(&mut self) {
-        let reach = self.lattice.reach();
-        let (gas, flux) = (self.gas, &self.flux);
-        for (&(k, _), fluxes) in self.lattice.offsets().iter().zip(&mut self.fluxes) {
-            let (left, right) = (&self.states[reach - k..], &self.states[reach..]);
-            fluxes
-                .par_iter_mut()
-                .zip(left.par_iter().zip(right))
-                .with_min_len(CHUNK)
-                .for_each(|(place, (left, right))| *place = flux.flux(gas, left, right));
-            self.pairs += fluxes.len() as u64;
-        }
+        let (reach, count) = (self.lattice.reach(), self.x.len());
+        let (gas, flux, states) = (self.gas, &self.flux, &self.states);
+        let offsets = self.lattice.offsets();
+        // All offsets of a particle at once, while its neighbours are near in the cache.
+        self.fluxes.par_chunks_mut(offsets.len()).enumerate().with_min_len(CHUNK).for_each(
+            |(m, row)| {
+                for (place, &(k, _)) in row.iter_mut().zip(offsets) {
+                    if m < count + k {
+                        *place = flux.flux(gas, &states[reach + m - k], &states[reach + m]);
+                    }
+                }
+            },
+        );
+        self.pairs += offsets.iter().map(|&(k, _)| (count + k) as u64).sum::<u64>();
     }
 
     fn gather(&mut self, step: f64) -> Result<(), Reason> {
         let (gas, reach, count) = (self.gas, self.lattice.reach(), self.x.len());
         let (offsets, fluxes) = (self.lattice.offsets(), &self.fluxes);
+        let width = offsets.len();
         let factor = 2.0 * step / self.spacing;
         let broken = self.states[reach..reach + count]
             .par_iter_mut()
@@ -227,8 +241,9 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             .with_min_len(CHUNK)
             .filter_map(|(i, (state, x))| {
                 let mut change = [0.0; 3];
-                for (&(k, weight), flux) in offsets.iter().zip(fluxes) {
-                    let (before, behind) = (flux[i], flux[i + k]);
+                for (column, &(k, weight)) in offsets.iter().enumerate() {
+                    let before = &fluxes[i * width + column];
+                    let behind = &fluxes[(i + k) * width + column];
                     for c in 0..3 {
                         change[c] += weight * (before[c] - behind[c]);
                     }
@@ -242,8 +257,10 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
                 Reason::of_particle(i, state.density, state.internal_energy(), state.velocity)
             })
             .min_by_key(|reason| reason.particle());
-        for (&(k, weight), flux) in offsets.iter().zip(fluxes) {
-            for (entering, leaving) in flux[..k].iter().zip(&flux[count..]) {
+        for (column, &(k, weight)) in offsets.iter().enumerate() {
+            for m in 0..k {
+                let entering = &fluxes[m * width + column];
+                let leaving = &fluxes[(count + m) * width + column];
                 for c in 0..3 {
                     self.inflow.0[c] += 2.0 * step * weight * (entering[c] - leaving[c]);
                 }
@@ -291,6 +308,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             conservation,
             pairs: self.pairs,
             waiting: self.waiting,
+            particle_mass: Some(self.spacing),
         }
     }
 }

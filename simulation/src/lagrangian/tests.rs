@@ -85,9 +85,9 @@ fn a_step_is_the_plain_double_sum() {
                 let wanted = plain_step(tube.gas(), &before, scheme.spacing(), step, &options);
                 scheme.advance(step).expect("a small step stays physical");
                 for (i, (state, wanted)) in scheme.states().iter().zip(&wanted).enumerate() {
-                    for c in 0..3 {
+                    for (found, wanted) in state.conserved().iter().zip(wanted) {
                         // Round-off of a sum of some twenty terms; the largest V is 8.
-                        assert!((state.conserved()[c] - wanted[c]).abs() < 1e-13);
+                        assert!((found - wanted).abs() < 1e-13);
                     }
                     // (3.16) as printed.
                     let v = before[i].velocity;
@@ -238,6 +238,24 @@ fn a_uniform_flow_is_kept() {
             assert!((run.profile.velocity[i] - 3.0).abs() < 1e-14);
         }
         assert!(run.profile.order_preserved());
+    }
+}
+
+#[test]
+fn bad_options_are_errors() {
+    let tube = tube("sod");
+    let with = |options: LagrangianOptions| Method::Lagrangian(options).run(&tube, 100);
+    let good = LagrangianOptions::new(Flux::Exact);
+    for bad in [
+        LagrangianOptions { cfl: 0.0, ..good },
+        LagrangianOptions { ratio: -2.0, ..good },
+        LagrangianOptions { ratio: 40.0, ..good },
+        LagrangianOptions::new(Flux::ModifiedRoe(ModifiedRoe {
+            mean: RoeMean::Density,
+            contact: ContactViscosity::Printed(-0.1),
+        })),
+    ] {
+        assert!(with(bad).is_err(), "{bad:?}");
     }
 }
 

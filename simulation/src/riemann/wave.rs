@@ -87,6 +87,17 @@ impl Side {
         self.exponent * log
     }
 
+    /// `(p/p_K)^z − 1`, accurate also where the pressures nearly agree.
+    #[inline]
+    fn sound_growth(&self, pressure: f64) -> f64 {
+        let excess = (pressure - self.pressure) / self.pressure;
+        if excess.abs() < WEAK {
+            binomial_growth(excess, self.exponent)
+        } else {
+            self.isentrope(pressure).exp_m1()
+        }
+    }
+
     /// The velocity change across the wave to pressure `p` and its derivative with respect to `p`:
     /// Toro 1999 (4.6), (4.7), (4.37). It grows with `p`, is concave, and vanishes at `p_K`.
     #[inline]
@@ -99,7 +110,7 @@ impl Side {
                 2.0 * (pressure + self.pressure * (self.gamma - 1.0) / (self.gamma + 1.0));
             (jump * root, root * (1.0 - jump / shifted))
         } else {
-            let growth = self.isentrope(pressure).exp_m1();
+            let growth = self.sound_growth(pressure);
             let slope = (1.0 + growth) * self.pressure / (pressure * self.density * self.sound);
             (self.escape_speed() * growth, slope)
         }
@@ -133,6 +144,41 @@ impl Side {
     /// The factor by which `c` shrinks for `p_K → p`, namely `(p/p_K)^z`.
     #[inline]
     pub fn sound_ratio(&self, pressure: f64) -> f64 {
-        self.isentrope(pressure).exp()
+        1.0 + self.sound_growth(pressure)
+    }
+}
+
+/// Pressure changes below this part take the series instead of a logarithm and an exponential:
+/// most pairs of neighbours in a smooth flow.
+const WEAK: f64 = 1.0 / 64.0;
+
+/// `1/n` for `n` from 2 to 9.
+const RECIPROCALS: [f64; 8] =
+    [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 1.0 / 6.0, 1.0 / 7.0, 1.0 / 8.0, 1.0 / 9.0];
+
+/// `(1 + x)^z − 1 = zx (1 + (z−1)/2 x (1 + (z−2)/3 x (…)))` up to `x⁹`. For `0 < z < 1` the
+/// coefficients of the bracket are below 1, so that the rest is below `x⁹ = 2⁻⁵⁴` of it.
+#[inline]
+fn binomial_growth(x: f64, z: f64) -> f64 {
+    let mut bracket = 1.0;
+    for (n, reciprocal) in RECIPROCALS.iter().enumerate().rev() {
+        bracket = 1.0 + (z - (n + 1) as f64) * reciprocal * x * bracket;
+    }
+    z * x * bracket
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WEAK, binomial_growth};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_series_is_the_power(part in -1.0..1.0f64, z in 0.001..0.5f64) {
+            let x = WEAK * part;
+            let wanted = (z * x.ln_1p()).exp_m1();
+            // The units in the last place of a logarithm, an exponential and a product.
+            prop_assert!((binomial_growth(x, z) - wanted).abs() <= 4.0 * f64::EPSILON * wanted.abs());
+        }
     }
 }

@@ -41,3 +41,63 @@ pub(crate) fn drive(
     }
     (step, time, None)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Evolution, drive};
+    use crate::run::Reason;
+
+    /// Steps of a given size that break at a given time.
+    struct Clock {
+        step: f64,
+        now: f64,
+        breaks_after: f64,
+    }
+
+    impl Evolution for Clock {
+        fn time_step(&mut self) -> f64 {
+            self.step
+        }
+
+        fn advance(&mut self, step: f64) -> Result<(), Reason> {
+            self.now += step;
+            if self.now > self.breaks_after {
+                Err(Reason::NotFinite { particle: 7 })
+            } else {
+                Ok(())
+            }
+        }
+    }
+
+    fn clock(step: f64) -> Clock {
+        Clock { step, now: 0.0, breaks_after: f64::INFINITY }
+    }
+
+    #[test]
+    fn it_ends_at_the_end() {
+        // 0.1 is not a binary fraction: ten of it miss 1 by round-off, and no sliver follows.
+        assert_eq!(drive(&mut clock(0.1), 1.0, 100), (10, 1.0, None));
+        assert_eq!(drive(&mut clock(0.3), 1.0, 100), (4, 1.0, None));
+        assert_eq!(drive(&mut clock(f64::INFINITY), 1.0, 100), (1, 1.0, None));
+    }
+
+    #[test]
+    fn failures_say_when_and_why() {
+        let (steps, time, failure) = drive(&mut clock(0.1), 1.0, 5);
+        let failure = failure.expect("5 steps do not suffice");
+        assert_eq!(failure.reason, Reason::StepLimit { limit: 5 });
+        assert!(steps == 6 && (time - 0.5).abs() < 1e-15);
+        for bad in [f64::NAN, 0.0, 1e-20, -1.0] {
+            let (_, _, failure) = drive(&mut clock(bad), 1.0, 5);
+            assert!(matches!(failure.expect("bad").reason, Reason::TimeStep { .. }));
+        }
+        let mut breaking = Clock { breaks_after: 0.25, ..clock(0.1) };
+        let (steps, time, failure) = drive(&mut breaking, 1.0, 100);
+        assert_eq!((steps, failure.expect("it breaks").step), (3, 3));
+        assert!((time - 0.3).abs() < 1e-15);
+        assert_eq!(
+            failure.expect("it breaks").to_string(),
+            "not a number at particle 7 in step 3 at time 0.300000"
+        );
+    }
+}

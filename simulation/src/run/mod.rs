@@ -33,6 +33,8 @@ pub struct Run {
     /// How many of the particles stood beyond the left and the right end of the domain at the
     /// start, to flow in. They are the first and the last of the profile.
     pub waiting: [usize; 2],
+    /// The mass of each particle; `None` for cells.
+    pub particle_mass: Option<f64>,
 }
 
 impl Run {
