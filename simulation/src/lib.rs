@@ -5,6 +5,7 @@ pub mod comparison;
 pub mod finite_volume;
 pub mod lagrangian;
 pub mod method;
+pub mod particles;
 pub mod riemann;
 pub mod run;
 pub mod scene;

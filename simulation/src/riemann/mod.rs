@@ -16,14 +16,21 @@
 
 mod exact;
 mod gas;
+pub mod isothermal;
 mod sample;
+mod star;
 mod state;
+mod van_leer;
 mod wave;
 
 pub use exact::{Solution, Star, solve};
 pub use gas::IdealGas;
+pub use star::{ExactIdeal, StarSolver, StarState};
 pub use state::{InvalidState, State};
+pub use van_leer::{PRESSURE_FLOOR, Stopping, VanLeer};
 pub use wave::Wave;
 
+#[cfg(test)]
+mod star_tests;
 #[cfg(test)]
 mod tests;

@@ -35,6 +35,11 @@ pub enum Reason {
         /// The first particle with it.
         particle: usize,
     },
+    /// No smoothing length agrees with the density of a particle.
+    SmoothingLength {
+        /// That particle.
+        particle: usize,
+    },
     /// The time step fell below the resolution of the time, or is not a number.
     TimeStep {
         /// The step asked for.
@@ -59,6 +64,9 @@ impl Display for Reason {
             Self::NotFinite { particle } => {
                 write!(formatter, "not a number at particle {particle}")
             }
+            Self::SmoothingLength { particle } => {
+                write!(formatter, "no smoothing length fits particle {particle}")
+            }
             Self::TimeStep { value } => write!(formatter, "time step {value:.3e}"),
             Self::StepLimit { limit } => write!(formatter, "not finished after {limit} steps"),
         }
@@ -77,7 +85,8 @@ impl Reason {
         match self {
             Self::Density { particle, .. }
             | Self::InternalEnergy { particle, .. }
-            | Self::NotFinite { particle } => Some(*particle),
+            | Self::NotFinite { particle }
+            | Self::SmoothingLength { particle } => Some(*particle),
             Self::TimeStep { .. } | Self::StepLimit { .. } => None,
         }
     }
