@@ -1,1 +1,3 @@
-//! Placeholder until the next commit.
+//! Time stepping for `courant`: the real schemes, run on particles.
+
+pub mod advection;
