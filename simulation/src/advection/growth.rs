@@ -12,13 +12,33 @@ const CONFIRMING_WINDOWS: usize = 4;
 /// How a growth measurement is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GrowthPlan {
-    /// How many windows of steps; at least five.
+    /// How many windows of steps, at most where the run may stop early; at least five.
     pub windows: usize,
     /// Steps in each window.
     pub steps_per_window: u64,
     /// Whether the mean is watched apart from the rest, as it can be where constants are an eigenvector of
     /// the step: on a uniform lattice. A mean that merely stays would hide that all else decays.
     pub mean_apart: bool,
+    /// Whether to stop once the rate per window has settled to a hundredth of itself. That it approaches
+    /// its end steadily is certain on a uniform lattice only.
+    pub stop_when_settled: bool,
+}
+
+impl GrowthPlan {
+    /// A run of exactly so many steps on a uniform lattice.
+    pub fn lattice(windows: usize, steps_per_window: u64) -> Self {
+        Self { windows, steps_per_window, mean_apart: true, stop_when_settled: false }
+    }
+
+    /// A run on a uniform lattice of at most so many steps that stops when the rate has settled.
+    pub fn settling(windows: usize, steps_per_window: u64) -> Self {
+        Self { stop_when_settled: true, ..Self::lattice(windows, steps_per_window) }
+    }
+
+    /// A run of exactly so many steps over any positions.
+    pub fn disordered(windows: usize, steps_per_window: u64) -> Self {
+        Self { mean_apart: false, ..Self::lattice(windows, steps_per_window) }
+    }
 }
 
 /// What a scheme does in the long run.
@@ -51,6 +71,13 @@ pub struct Growth {
     pub history: Vec<(u64, f64)>,
 }
 
+impl Growth {
+    /// Steps done.
+    pub fn steps(&self) -> u64 {
+        self.history.last().map_or(0, |&(steps, _)| steps)
+    }
+}
+
 /// Fills a stepper with noise: uniform in `[−1, 1)`, mean zero.
 pub fn seed_with_noise(stepper: &mut (impl Stepper + ?Sized), seed: u64) {
     let mut random = SplitMix64::new(seed);
@@ -70,6 +97,24 @@ fn remove_mean(values: &mut [f64]) {
 
 fn norm(values: &[f64]) -> f64 {
     values.iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// Whether the rates of the windows have come within a hundredth of where they lead.
+///
+/// With two modes left, the rate approaches that of the faster one with increments that shrink by one
+/// factor, and the increments to come add up to a geometric series.
+fn is_settled(rates: &[f64]) -> bool {
+    let [.., before, middle, last] = *rates else { return false };
+    if rates.len() <= CONFIRMING_WINDOWS {
+        return false;
+    }
+    let (first, second) = (middle - before, last - middle);
+    let to_come = match second / first {
+        shrinking if shrinking > 0.0 && shrinking < 1.0 => second * shrinking / (1.0 - shrinking),
+        // Increments that no longer shrink are rounding, or the beginning.
+        _ => 100.0 * second,
+    };
+    to_come.abs() <= (0.01 * last.abs()).max(RESOLUTION)
 }
 
 /// Steps from the present state and watches the root-mean-square norm window by window.
@@ -115,7 +160,7 @@ pub fn measure_growth(stepper: &mut (impl Stepper + ?Sized), plan: &GrowthPlan) 
         log_norm += change;
         rates.push(change / plan.steps_per_window as f64);
         history.push((window * plan.steps_per_window, log_norm / std::f64::consts::LN_10));
-        if change.is_infinite() {
+        if change.is_infinite() || (plan.stop_when_settled && is_settled(&rates)) {
             break;
         }
     }

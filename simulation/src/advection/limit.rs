@@ -20,7 +20,7 @@ pub struct MeasuredLimit {
     pub unstable: f64,
     /// Runs done.
     pub runs: u32,
-    /// Steps of each run.
+    /// Steps of all runs together.
     pub steps: u64,
 }
 
@@ -52,7 +52,8 @@ fn noise_growth(
 ///
 /// A ring holds the phases `2πm/N` only, so the answer is the limit of these modes: at least the
 /// lattice's, by `O(1/N²)` where the long wave binds. Where the stable set has gaps, one of its ends
-/// within the bracket is found. A mode that grows by less than `1e-13` per step counts as stable.
+/// within the bracket is found. Each run must be long enough for the fastest mode to be left alone, which
+/// near a limit may take some 100,000 steps: [`GrowthPlan::settling`] stops each run when it is. A mode that grows by less than `1e-13` per step counts as stable.
 ///
 /// # Errors
 /// When the ends of the bracket do not differ.
@@ -63,10 +64,11 @@ pub fn measured_stability_limit(
     resolution: f64,
     plan: &GrowthPlan,
 ) -> Result<MeasuredLimit, NoBracket> {
-    let mut runs = 0;
+    let (mut runs, mut steps) = (0, 0);
     let mut grows = |courant_number: f64| {
         runs += 1;
         let growth = noise_growth(discretisation, courant_number, particles, plan);
+        steps += growth.steps();
         matches!(growth.verdict, GrowthVerdict::Growing | GrowthVerdict::Undecided)
     };
     if lower > 0.0 && grows(lower) {
@@ -83,7 +85,6 @@ pub fn measured_stability_limit(
         }
         if grows(middle) { unstable = middle } else { stable = middle }
     }
-    let steps = plan.windows as u64 * plan.steps_per_window;
     Ok(MeasuredLimit { stable, unstable, runs, steps })
 }
 
@@ -157,6 +158,6 @@ pub fn long_run(
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .expect("the range holds at least one mode");
     let growth = noise_growth(discretisation, courant_number, particles, plan);
-    let steps = plan.windows as u64 * plan.steps_per_window;
+    let steps = growth.steps();
     LongRun { courant_number, particles, steps, fastest_mode, predicted_gain, growth }
 }

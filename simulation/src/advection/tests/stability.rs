@@ -4,10 +4,6 @@ use super::*;
 use courant_analysis::rational::integer;
 use courant_analysis::scheme::Scheme;
 
-fn growth_plan(windows: usize, steps_per_window: u64) -> GrowthPlan {
-    GrowthPlan { windows, steps_per_window, mean_apart: true }
-}
-
 /// `(a, b) ← (d a + t b, d b)`: grows like `n t d^n` before it decays, for d below 1.
 struct Shear {
     diagonal: f64,
@@ -33,7 +29,7 @@ impl Stepper for Shear {
 
 #[test]
 fn a_transient_is_not_growth() {
-    let plan = GrowthPlan { mean_apart: false, ..growth_plan(100, 20) };
+    let plan = GrowthPlan::disordered(100, 20);
     let mut shear = Shear { diagonal: 0.99, off: 5.0, values: vec![0.0, 1.0] };
     let growth = measure_growth(&mut shear, &plan);
     assert_eq!(growth.verdict, GrowthVerdict::Decaying);
@@ -68,11 +64,17 @@ fn limits_by_run_are_those_of_the_ring_and_bound_the_proved_ones() {
         (AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, "1"),
     ] {
         let discretisation = discretisation(scheme, kernel, ratio);
-        let comparison =
-            compare_limits(&discretisation, 32, &integer(10), 1e-7, &growth_plan(400, 64)).unwrap();
+        let comparison = compare_limits(
+            &discretisation,
+            32,
+            &integer(10),
+            1e-7,
+            &GrowthPlan::settling(10_000, 64),
+        )
+        .unwrap();
         let MeasuredLimit { stable, unstable, runs, .. } = comparison.measured;
         assert!(unstable - stable <= 1e-7 && runs < 25);
-        // After 25,600 steps the fastest mode is alone. One that grows by less than 1e-13 per step counts
+        // Each run goes on until the fastest mode is alone. One that grows by less than 1e-13 per step counts
         // as stable, which moves the limit by far less than the width.
         assert!(
             stable - 1e-9 <= comparison.ring && comparison.ring <= unstable + 1e-9,
@@ -89,7 +91,7 @@ fn the_ring_comes_closer_to_the_lattice_as_it_grows() {
     // Long wave: the difference is O(1/N²).
     let discretisation = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "2");
     let excess = |particles| {
-        let plan = growth_plan(64, 64);
+        let plan = GrowthPlan::settling(10_000, 64);
         let found = compare_limits(&discretisation, particles, &integer(10), 1e-7, &plan).unwrap();
         found.measured.stable.midpoint(found.measured.unstable) - 15.0 / 8.0
     };
@@ -100,11 +102,13 @@ fn the_ring_comes_closer_to_the_lattice_as_it_grows() {
 #[test]
 fn euler_is_unstable_at_once_and_a_bad_bracket_is_told() {
     let euler = discretisation(AdvectionScheme::EulerSph, Kernel::CubicSpline, "2");
-    let found = compare_limits(&euler, 32, &integer(1), 1e-4, &growth_plan(64, 64)).unwrap();
+    let found =
+        compare_limits(&euler, 32, &integer(1), 1e-4, &GrowthPlan::settling(10_000, 64)).unwrap();
     assert_eq!((found.ring, found.measured.stable), (0.0, 0.0));
     let godunov = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "2");
-    let search =
-        |bracket| measured_stability_limit(&godunov, 32, bracket, 1e-3, &growth_plan(20, 64));
+    let search = |bracket| {
+        measured_stability_limit(&godunov, 32, bracket, 1e-3, &GrowthPlan::lattice(20, 64))
+    };
     assert_eq!(search((2.5, 3.0)), Err(NoBracket::LowerGrows(2.5)));
     assert_eq!(search((0.5, 1.0)), Err(NoBracket::UpperDoesNotGrow(1.0)));
 }
@@ -112,8 +116,9 @@ fn euler_is_unstable_at_once_and_a_bad_bracket_is_told() {
 #[test]
 fn a_million_steps_below_and_above_the_limit() {
     let discretisation = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "2");
-    let plan = growth_plan(1000, 1000);
-    let ring = compare_limits(&discretisation, 16, &integer(10), 1e-6, &growth_plan(64, 64));
+    let plan = GrowthPlan::lattice(1000, 1000);
+    let ring =
+        compare_limits(&discretisation, 16, &integer(10), 1e-6, &GrowthPlan::settling(10_000, 64));
     let limit = ring.unwrap().ring;
     let below = long_run(&discretisation, limit * (1.0 - 1e-5), 16, &plan);
     let above = long_run(&discretisation, limit * (1.0 + 1e-5), 16, &plan);
@@ -132,7 +137,7 @@ fn a_mean_that_grows_is_growth() {
     let discretisation =
         discretisation(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, "1.3");
     let symbol = discretisation.symbol().center().compile();
-    let run = long_run(&discretisation, 0.5, 32, &growth_plan(20, 50));
+    let run = long_run(&discretisation, 0.5, 32, &GrowthPlan::lattice(20, 50));
     let mean = symbol.amplification(0.5, 0.0).re;
     assert!((run.growth.mean_gain.unwrap() - mean).abs() < 1e-14);
     assert_eq!(run.growth.verdict == GrowthVerdict::Growing, run.predicted_gain > 1.0);
@@ -174,7 +179,7 @@ fn the_printed_limits_of_table_1_grow_at_the_predicted_rate() {
 #[test]
 fn disorder_starts_from_the_lattice() {
     let discretisation = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "2");
-    let plan = GrowthPlan { mean_apart: false, ..growth_plan(10, 50) };
+    let plan = GrowthPlan::disordered(10, 50);
     let study = gain_against_disorder(
         &discretisation,
         1.0,
