@@ -4,7 +4,7 @@ use super::faulty::{Fault, Faulty};
 use super::method::{Method, MethodError};
 use super::modes::RingModes;
 use super::random::SplitMix64;
-use super::ring::Ring;
+use super::ring::{Ring, RingError};
 use super::stepper::{PathKind, Stepper};
 use courant_analysis::scheme::{Discretisation, Scheme};
 use courant_analysis::symbol::Symbol;
@@ -59,6 +59,20 @@ impl Validation {
     }
 }
 
+/// Why a validation cannot be run.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ValidationError {
+    /// The method's numbers.
+    #[error(transparent)]
+    Method(#[from] MethodError),
+    /// There must be particles.
+    #[error(transparent)]
+    Ring(#[from] RingError),
+    /// There must be steps.
+    #[error("a validation takes at least one step")]
+    NoSteps,
+}
+
 /// What `courant validate` runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ValidationPlan {
@@ -83,7 +97,11 @@ pub struct ValidationPlan {
 /// grows would bury one that decays under its rounding errors within some tens of steps. The answer is
 /// the mean over the steps. The translation invariance of the stepper is what lets modes be told apart;
 /// on disordered positions the answer is only the diagonal of the step's matrix in Fourier space.
+///
+/// # Panics
+/// When there are no steps.
 pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) -> Vec<Complex64> {
+    assert!(steps > 0, "a mean needs a step");
     let modes = RingModes::new(stepper.state().len());
     let mut random = SplitMix64::new(0x6d6f_6465);
     let mut amplitudes: Vec<Complex64> = (0..modes.count())
@@ -109,6 +127,9 @@ pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) 
 }
 
 /// Sets what a stepper does beside what a symbol says.
+///
+/// # Panics
+/// When there are no steps.
 pub fn compare_with_prediction(
     stepper: &mut (impl Stepper + ?Sized),
     symbol: &Symbol<f64>,
@@ -172,16 +193,14 @@ fn tolerance(symbol: &Symbol<f64>, courant_number: f64, particles: usize) -> f64
 /// ```
 ///
 /// # Errors
-/// When the Courant number is not positive and finite.
-///
-/// # Panics
-/// When there are no particles or no steps.
-pub fn validate(plan: &ValidationPlan) -> Result<Validation, MethodError> {
+/// When the Courant number is not positive and finite, or there are no particles or no steps.
+pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
     let method = Method::of(&plan.discretisation, plan.courant_number);
     method.check()?;
-    assert!(plan.steps > 0, "a validation takes at least one step");
-    let ring = Ring::uniform(plan.particles, plan.particles as f64)
-        .expect("a ring of spacing 1 is as long as it has particles");
+    if plan.steps == 0 {
+        return Err(ValidationError::NoSteps);
+    }
+    let ring = Ring::uniform(plan.particles, plan.particles as f64)?;
     let stepper = plan.path.on_uniform(method, &ring);
     let symbol = plan.discretisation.symbol().center().compile();
     let compare = |mut stepper: Box<dyn Stepper>| {

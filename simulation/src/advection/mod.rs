@@ -27,8 +27,8 @@ mod scene;
 mod stepper;
 
 pub use amplification::{
-    ModeFit, ModeRow, Validation, ValidationPlan, compare_with_prediction, fit_mode,
-    measure_amplification, validate,
+    ModeFit, ModeRow, Validation, ValidationError, ValidationPlan, compare_with_prediction,
+    fit_mode, measure_amplification, validate,
 };
 pub use cost::{
     CostMeasure, CostRow, Recommendation, Seconds, measure_cost, pareto_front, recommend,

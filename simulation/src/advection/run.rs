@@ -140,44 +140,84 @@ pub fn run_with(
     plan: &RunPlan,
     mut observe: impl FnMut(u64, u64) -> ControlFlow<()>,
 ) -> Result<AdvectionRun, PlanError> {
-    plan.method.check()?;
-    if !(plan.periods > 0.0 && plan.periods.is_finite()) {
-        return Err(PlanError::Periods(plan.periods));
-    }
-    let (total, courant_number) = equal_steps(plan);
-    let method = Method { courant_number, ..plan.method };
-    let ring = match plan.layout {
-        Layout::Lattice | Layout::Uniform => Ring::uniform(plan.particles, 1.0)?,
-        Layout::Disordered { disorder, seed } => {
-            Ring::disordered(plan.particles, 1.0, disorder, seed)?
+    let prepared = Prepared::new(plan)?;
+    let (stepper, outcome, steps) = prepared.advance(&mut observe);
+    Ok(prepared.result(&*stepper, outcome, steps))
+}
+
+/// A plan that was found in range, with its particles and their data: all that does not count as cost.
+pub(super) struct Prepared<'a> {
+    plan: &'a RunPlan,
+    method: Method,
+    ring: Ring,
+    initial: Vec<f64>,
+    total: u64,
+}
+
+impl<'a> Prepared<'a> {
+    pub(super) fn new(plan: &'a RunPlan) -> Result<Self, PlanError> {
+        plan.method.check()?;
+        if !(plan.periods > 0.0 && plan.periods.is_finite()) {
+            return Err(PlanError::Periods(plan.periods));
         }
-    };
-    let mut stepper: Box<dyn Stepper> = match plan.layout {
-        Layout::Lattice => Box::new(LatticePath::new(method, plan.particles)),
-        Layout::Uniform | Layout::Disordered { .. } => Box::new(ParticlePath::new(method, &ring)),
-    };
-    let initial: Vec<f64> = ring.positions().iter().map(|&x| plan.scene.initial(x)).collect();
-    stepper.set_state(&initial);
-    let (outcome, steps) = advance(&mut stepper, total, &mut observe);
-    let time = match outcome {
-        Outcome::Completed => plan.periods,
-        _ => plan.periods * steps as f64 / total as f64,
-    };
-    let computed = stepper.state().to_vec();
-    let exact: Vec<f64> = ring.positions().iter().map(|&x| plan.scene.exact(x, time)).collect();
-    let comparison = Comparison::new(&initial, &computed, &exact, ring.volumes());
-    Ok(AdvectionRun {
-        outcome,
-        interactions: steps * stepper.interactions_per_step(),
-        positions: ring.positions().to_vec(),
-        initial,
-        computed,
-        exact,
-        time,
-        steps,
-        courant_number,
-        comparison,
-    })
+        let ring = match plan.layout {
+            Layout::Lattice | Layout::Uniform => Ring::uniform(plan.particles, 1.0)?,
+            Layout::Disordered { disorder, seed } => {
+                Ring::disordered(plan.particles, 1.0, disorder, seed)?
+            }
+        };
+        let (total, courant_number) = equal_steps(plan);
+        let method = Method { courant_number, ..plan.method };
+        let initial = ring.positions().iter().map(|&x| plan.scene.initial(x)).collect();
+        Ok(Self { plan, method, ring, initial, total })
+    }
+
+    /// Finds the neighbours or the stencil and steps to the end: what a run costs.
+    pub(super) fn advance(
+        &self,
+        observe: &mut impl FnMut(u64, u64) -> ControlFlow<()>,
+    ) -> (Box<dyn Stepper>, Outcome, u64) {
+        let mut stepper: Box<dyn Stepper> = match self.plan.layout {
+            Layout::Lattice => Box::new(LatticePath::new(self.method, self.plan.particles)),
+            Layout::Uniform | Layout::Disordered { .. } => {
+                Box::new(ParticlePath::new(self.method, &self.ring))
+            }
+        };
+        stepper.set_state(&self.initial);
+        let (outcome, steps) = advance(&mut stepper, self.total, observe);
+        (stepper, outcome, steps)
+    }
+
+    /// Sets the end of a run beside the exact solution.
+    pub(super) fn result(
+        self,
+        stepper: &dyn Stepper,
+        outcome: Outcome,
+        steps: u64,
+    ) -> AdvectionRun {
+        let Self { plan, method, ring, initial, total } = self;
+        let time = match outcome {
+            Outcome::Completed => plan.periods,
+            Outcome::Overflowed { .. } | Outcome::Cancelled { .. } => {
+                plan.periods * steps as f64 / total as f64
+            }
+        };
+        let computed = stepper.state().to_vec();
+        let exact: Vec<f64> = ring.positions().iter().map(|&x| plan.scene.exact(x, time)).collect();
+        let comparison = Comparison::new(&initial, &computed, &exact, ring.volumes());
+        AdvectionRun {
+            outcome,
+            interactions: steps * stepper.interactions_per_step(),
+            positions: ring.positions().to_vec(),
+            initial,
+            computed,
+            exact,
+            time,
+            steps,
+            courant_number: method.courant_number,
+            comparison,
+        }
+    }
 }
 
 fn advance(

@@ -137,3 +137,37 @@ fn the_ring_transform_is_its_definition_and_leads_back() {
         assert!((modes.phase(modes.count() - 1) - PI).abs() <= PI / particles as f64 + 1e-15);
     }
 }
+
+#[test]
+fn small_rings_and_wide_kernels_agree() {
+    // Kernels that reach around the ring several times, and one particle that is its own neighbour.
+    for (particles, ratio) in [(1, "2"), (2, "2"), (3, "10"), (7, "4.3"), (255, "10"), (256, "7/3")]
+    {
+        for scheme in AdvectionScheme::ALL {
+            for path in PathKind::ALL {
+                let mut plan = plan(discretisation(scheme, Kernel::Gaussian, ratio), 1.3, path);
+                plan.particles = particles;
+                plan.steps = 10;
+                let validation = validate(&plan).unwrap();
+                assert_eq!(validation.rows.len(), particles / 2 + 1);
+                assert!(validation.passed(), "{particles} {ratio} {scheme} {path:?}");
+                assert!(validation.tolerance < 1e-12 * if particles < 200 { 1.0 } else { 10.0 });
+            }
+        }
+    }
+}
+
+#[test]
+fn impossible_validations_are_refused() {
+    let good = plan(
+        discretisation(AdvectionScheme::EulerSph, Kernel::CubicSpline, "2"),
+        1.0,
+        PathKind::Particles,
+    );
+    let refused = |plan: ValidationPlan| validate(&plan).unwrap_err();
+    let none = ValidationPlan { particles: 0, ..good.clone() };
+    assert_eq!(refused(none), ValidationError::Ring(RingError::Empty));
+    assert_eq!(refused(ValidationPlan { steps: 0, ..good.clone() }), ValidationError::NoSteps);
+    let still = ValidationPlan { courant_number: 0.0, ..good };
+    assert_eq!(refused(still), ValidationError::Method(MethodError::CourantNumber(0.0)));
+}
