@@ -6,7 +6,7 @@
 
 use courant_analysis::{kernel::Kernel, scheme::AdvectionScheme};
 use courant_simulation::advection::{LatticePath, Method, ParticlePath, Ring, Stepper};
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BenchmarkId, Criterion, Throughput};
 
 const RATIOS: [f64; 2] = [2.0, 5.0];
 
@@ -70,5 +70,9 @@ fn particles(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, lattice, particles);
-criterion_main!(benches);
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    lattice(&mut criterion);
+    particles(&mut criterion);
+    criterion.final_summary();
+}

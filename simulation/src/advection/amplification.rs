@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 const FAINT: f64 = 1e-3;
 
 /// The allowed error in units of `ε (√N + K) A`; see [`Validation::tolerance`].
-const TOLERANCE_FACTOR: f64 = 64.0;
+const TOLERANCE_FACTOR: f64 = 16.0;
 
 /// One mode, predicted and measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,12 +42,12 @@ pub struct Validation {
     pub steps: u64,
     /// The largest error of a row.
     pub max_error: f64,
-    /// `64 ε (√N + K) A`, with `K` the reach of the stencil and `A = Σ_k |c_k|`, which bounds every gain.
+    /// `16 ε (√N + K) A`, with `K` the reach of the stencil and `A = Σ_k |c_k|`, which bounds every gain.
     ///
     /// One step, one sum over the ring each way and the table of the roots of unity each leave a few `√N ε`
     /// of the largest amplitude in an amplitude; the phases `kφ` of the prediction, up to `Kπ`, carry
-    /// `K ε`. The errors of the steps are averaged and so do not add up. 64 leaves a factor of about
-    /// twenty over the largest error met.
+    /// `K ε`. The errors of the steps are averaged and so do not add up. 16 leaves a factor of ten
+    /// to a hundred over the largest error met.
     pub tolerance: f64,
 }
 

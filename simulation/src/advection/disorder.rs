@@ -1,8 +1,9 @@
 //! How far the lattice theory carries when the particles are not on a lattice.
 
-use super::growth::{GrowthPlan, measure_growth, seed_with_noise};
+use super::growth::{GrowthPlan, measure_growth};
 use super::method::Method;
 use super::particle_path::ParticlePath;
+use super::random::SplitMix64;
 use super::ring::{Ring, RingError};
 use super::stepper::Stepper;
 use courant_analysis::scheme::{Discretisation, Scheme};
@@ -55,10 +56,11 @@ pub struct DisorderStudy {
 /// Steps waves over disordered positions.
 ///
 /// For each amplitude of disorder, `sets` rings of `particles` are drawn (seeds `0, 1, …`). Each wave of
-/// `modes` is stepped once, its cosine and its sine apart, and projected on itself. A run from noise then
-/// gives the gain in the long run, which on a lattice would be the largest `|g|`.
+/// `modes` is stepped once, its cosine and its sine apart, and projected on itself. A run from a
+/// constant with noise then gives the gain in the long run, which on a lattice would be the largest `|g|`.
 ///
-/// The plain sums do not keep constants on uneven positions, so the mean is not set apart.
+/// The plain sums do not keep constants on uneven positions, so the mean should not be set apart:
+/// [`GrowthPlan::disordered`].
 ///
 /// # Errors
 /// When there are no particles or a disorder is not in `[0, 0.5)`.
@@ -108,7 +110,11 @@ pub fn gain_against_disorder(
         let gains: Vec<f64> = steppers
             .iter_mut()
             .map(|stepper| {
-                seed_with_noise(stepper, 1);
+                // A constant with noise: what the sums make of constants counts from the start.
+                let mut random = SplitMix64::new(1);
+                let noisy = |_: &f64| 1.0 + 0.1 * random.symmetric();
+                let values: Vec<f64> = stepper.state().iter().map(noisy).collect();
+                stepper.set_state(&values);
                 measure_growth(stepper, plan).gain_per_step
             })
             .collect();

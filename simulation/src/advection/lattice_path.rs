@@ -88,8 +88,11 @@ impl LatticeCoefficients {
 /// additions is that of the offsets, whatever the number of threads.
 ///
 /// An update of a stencil of `m` coefficients takes `2m − 1` operations and moves 16 bytes (24 where a
-/// write first reads its line). Without wide vector instructions (SSE2: 2 products and 2 sums a cycle)
-/// the arithmetic binds from 4 coefficients on, as long as the values stay within the last-level cache.
+/// write first reads its line), so each term costs one unaligned load from the first-level cache: with the
+/// two lanes of SSE2, which is what a portable build has, at most 4 terms a cycle. Measured on one core of a
+/// busy two-core virtual machine, 1000 particles: 9·10⁸ updates a second for 4 coefficients (6 Gflop/s,
+/// 15 GB/s) and 2.4·10⁸ for 19 (9 Gflop/s). Arithmetic binds, and 10⁶ particles, which leave the
+/// second-level cache, keep two thirds of that: 10⁶ particles × 10³ steps take 1.5 to 3 seconds.
 #[derive(Debug, Clone)]
 pub struct LatticePath {
     coefficients: LatticeCoefficients,

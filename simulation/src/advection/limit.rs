@@ -53,7 +53,8 @@ fn noise_growth(
 /// A ring holds the phases `2πm/N` only, so the answer is the limit of these modes: at least the
 /// lattice's, by `O(1/N²)` where the long wave binds. Where the stable set has gaps, one of its ends
 /// within the bracket is found. Each run must be long enough for the fastest mode to be left alone, which
-/// near a limit may take some 100,000 steps: [`GrowthPlan::settling`] stops each run when it is. A mode that grows by less than `1e-13` per step counts as stable.
+/// near a limit may take some 100,000 steps: [`GrowthPlan::settling`] stops each run when it is. Where the modes that compete are all slow (long waves of
+/// Lax–Wendroff SPH) windows of a thousand steps are needed to see their rates settle. A mode that grows by less than `1e-13` per step counts as stable.
 ///
 /// # Errors
 /// When the ends of the bracket do not differ.

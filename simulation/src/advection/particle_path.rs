@@ -25,8 +25,11 @@ const CHUNK: usize = 4096;
 /// are found once. Nothing about the positions is assumed; on uneven ones the sums are the plain,
 /// uncorrected ones and keep constants only roughly.
 ///
-/// A step reads 12 bytes per interaction (20 for Lax–Wendroff) besides the values, does 2 operations
-/// with them (4), and gathers values that lie close together: the memory's stream of weights bounds it.
+/// A step reads 12 bytes per interaction (24 for Lax–Wendroff, whose two sums each read the index) besides
+/// the values, does 2 operations with them (4), and gathers values that lie close together. What binds is
+/// neither memory nor the number of operations but their order: a sum is one chain of dependent additions,
+/// so that its bits depend on nothing. Measured on one core of a busy two-core virtual machine: 5·10⁷
+/// updates a second with 8 neighbours, 5 GB/s and 0.8 Gflop/s.
 #[derive(Debug, Clone)]
 pub struct ParticlePath {
     neighbours: Neighbours,

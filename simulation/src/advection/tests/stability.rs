@@ -214,8 +214,11 @@ fn disorder_starts_from_the_lattice() {
         // What a wave keeps changes in second order only, but for the luck of the draw in few sets.
         assert!((small.mean - small.lattice).norm() < small.scattered);
     }
-    // On the lattice the constant is left in the long run.
-    assert!((study.growth[0].mean_gain - 1.0).abs() < 1e-2);
-    assert!(study.growth.iter().all(|row| row.smallest_gain <= row.mean_gain));
-    assert!(study.growth.iter().all(|row| row.mean_gain <= row.largest_gain));
+    // On the lattice the constant is left in the long run: the noise, a tenth of it, has lost 0.9925^500.
+    assert!((study.growth[0].mean_gain - 1.0).abs() < 1e-7, "{:?}", study.growth[0]);
+    for row in &study.growth {
+        // Godunov SPH conserves on any positions, so 1 is an eigenvalue; here none is larger.
+        assert!(row.smallest_gain <= row.largest_gain, "{row:?}");
+        assert!((row.mean_gain - 1.0).abs() < 1e-6, "{row:?}");
+    }
 }
