@@ -11,10 +11,6 @@ use courant_analysis::symbol::Symbol;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// A mode that keeps less than this of its amplitude in a step is excited anew: what is left of it is
-/// rounding of the other modes.
-const FAINT: f64 = 1e-3;
-
 /// The allowed error in units of `ε (√N + K) A`; see [`Validation::tolerance`].
 const TOLERANCE_FACTOR: f64 = 16.0;
 
@@ -116,9 +112,9 @@ pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) 
         stepper.step();
         for (mode, (amplitude, sum)) in amplitudes.iter_mut().zip(&mut sums).enumerate() {
             let after = modes.amplitude(mode, stepper.state());
-            let factor = after / *amplitude;
-            *sum += factor;
-            if factor.norm() > FAINT {
+            *sum += after / *amplitude;
+            // A mode that is gone has no phase to go on with.
+            if after.norm() > 0.0 {
                 *amplitude = after / after.norm();
             }
         }

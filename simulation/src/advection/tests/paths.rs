@@ -64,6 +64,37 @@ fn the_edge_of_the_support_is_decided_as_the_analysis_does() {
 }
 
 #[test]
+fn a_ratio_short_by_a_rounding_keeps_the_edge() {
+    let exact_ratio = method(AdvectionScheme::GodunovSph, Kernel::Gaussian, "4/3", 1.0);
+    let rounded = Method { ratio: exact_ratio.ratio.next_down(), ..exact_ratio };
+    assert!(3.0 * rounded.ratio < 4.0 && 4.0 / rounded.ratio > 3.0);
+    let (exact, rounded) =
+        (LatticeCoefficients::new(exact_ratio), LatticeCoefficients::new(rounded));
+    assert_eq!(rounded.left, 4);
+    assert!(rounded.values[0] > 1e-4 && distance(&exact.values, &rounded.values) < 1e-14);
+}
+
+#[test]
+fn the_edge_has_its_weight_on_every_ring() {
+    // On [0, 1] the smoothing length and the distances are rounded anew for every number of particles.
+    for ratio in ["1", "4/3", "10/3"] {
+        let method = method(AdvectionScheme::GodunovSph, Kernel::Gaussian, ratio, 0.5);
+        for particles in 20..200 {
+            let start = noise(particles, 12);
+            let ring = Ring::uniform(particles, 1.0).unwrap();
+            let [a, b] = PathKind::ALL.map(|kind| {
+                let mut stepper = kind.on_uniform(method, &ring);
+                stepper.set_state(&start);
+                stepper.step();
+                stepper.state().to_vec()
+            });
+            // The weight at the edge is above 1e-5; distances are right to 1e-16 N.
+            assert!(distance(&a, &b) < 1e-12, "{ratio} {particles}");
+        }
+    }
+}
+
+#[test]
 fn lattice_coefficients_are_the_exact_stencil() {
     for scheme in AdvectionScheme::ALL {
         for kernel in Kernel::ALL {

@@ -156,6 +156,11 @@ fn steps_divide_the_way_evenly() {
         assert!(result.courant_number <= courant_number * (1.0 + 1e-15));
         assert!((result.courant_number * steps as f64 - 200.0).abs() < 1e-10);
     }
+    // A Courant number short by a rounding takes no step more.
+    let mut plan = plan(AdvectionScheme::GodunovSph, Scene::Step, 300, Layout::Lattice);
+    plan.method.courant_number = 0.3f64.next_down();
+    assert!(300.0 / plan.method.courant_number > 1000.0);
+    assert_eq!(run(&plan).unwrap().steps, 1000);
 }
 
 #[test]

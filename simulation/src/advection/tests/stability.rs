@@ -4,9 +4,9 @@ use super::*;
 use courant_analysis::rational::integer;
 use courant_analysis::scheme::Scheme;
 
-/// `(a, b) ← (d a + t b, d b)`: grows like `n t d^n` before it decays, for d below 1.
+/// `(a, b) ← (d a + t b, e b)`: with d = e below 1 it grows like `n t d^n` before it decays.
 struct Shear {
-    diagonal: f64,
+    diagonal: [f64; 2],
     off: f64,
     values: Vec<f64>,
 }
@@ -14,7 +14,7 @@ struct Shear {
 impl Stepper for Shear {
     fn step(&mut self) {
         let [a, b] = [self.values[0], self.values[1]];
-        self.values = vec![self.diagonal * a + self.off * b, self.diagonal * b];
+        self.values = vec![self.diagonal[0] * a + self.off * b, self.diagonal[1] * b];
     }
     fn state(&self) -> &[f64] {
         &self.values
@@ -30,7 +30,7 @@ impl Stepper for Shear {
 #[test]
 fn a_transient_is_not_growth() {
     let plan = GrowthPlan::disordered(100, 20);
-    let mut shear = Shear { diagonal: 0.99, off: 5.0, values: vec![0.0, 1.0] };
+    let mut shear = Shear { diagonal: [0.99; 2], off: 5.0, values: vec![0.0, 1.0] };
     let growth = measure_growth(&mut shear, &plan);
     assert_eq!(growth.verdict, GrowthVerdict::Decaying);
     // max over the windows' ends of |d^n (n t/d, 1)|, met at n = 100.
@@ -40,18 +40,25 @@ fn a_transient_is_not_growth() {
     let rate = 0.99 * (2000.0f64 / 1980.0).powf(0.05);
     assert!((growth.gain_per_step - rate).abs() < 1e-7);
 
-    let mut growing = Shear { diagonal: 1.001, off: 0.0, values: vec![0.3, 1.0] };
+    let mut growing = Shear { diagonal: [1.001; 2], off: 0.0, values: vec![0.3, 1.0] };
     let growth = measure_growth(&mut growing, &plan);
     assert_eq!(growth.verdict, GrowthVerdict::Growing);
     assert!((growth.gain_per_step - 1.001).abs() < 1e-14);
     assert!((growth.history[100].1 - 2000.0 * 1.001f64.log10()).abs() < 1e-10);
 
-    let mut still = Shear { diagonal: 1.0, off: 0.0, values: vec![0.3, 1.0] };
+    // The first number decays, the second grows and has led for two windows only.
+    let mut late = Shear { diagonal: [0.9, 1.01], off: 0.0, values: vec![1.0, 1e-3] };
+    let plan_of = |windows| GrowthPlan::disordered(windows, 20);
+    assert_eq!(measure_growth(&mut late, &plan_of(5)).verdict, GrowthVerdict::Undecided);
+    late.values = vec![1.0, 1e-3];
+    assert_eq!(measure_growth(&mut late, &plan_of(9)).verdict, GrowthVerdict::Growing);
+
+    let mut still = Shear { diagonal: [1.0; 2], off: 0.0, values: vec![0.3, 1.0] };
     assert_eq!(measure_growth(&mut still, &plan).verdict, GrowthVerdict::Neutral);
-    let mut bursting = Shear { diagonal: 1e300, off: 0.0, values: vec![0.3, 1.0] };
+    let mut bursting = Shear { diagonal: [1e300; 2], off: 0.0, values: vec![0.3, 1.0] };
     let growth = measure_growth(&mut bursting, &plan);
     assert_eq!((growth.verdict, growth.gain_per_step), (GrowthVerdict::Growing, f64::INFINITY));
-    let mut vanishing = Shear { diagonal: 0.0, off: 0.0, values: vec![0.3, 1.0] };
+    let mut vanishing = Shear { diagonal: [0.0; 2], off: 0.0, values: vec![0.3, 1.0] };
     assert_eq!(measure_growth(&mut vanishing, &plan).verdict, GrowthVerdict::Decaying);
 }
 

@@ -158,6 +158,15 @@ fn small_rings_and_wide_kernels_agree() {
 }
 
 #[test]
+fn a_wave_that_vanishes_in_one_step_is_measured() {
+    // Upwind at C = 1/2: g(π) = 0 exactly.
+    let upwind = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "1");
+    let validation = validate(&plan(upwind, 0.5, PathKind::Lattice)).unwrap();
+    assert!(validation.passed(), "{}", validation.max_error);
+    assert!(validation.rows[32].measured.norm() < 1e-14);
+}
+
+#[test]
 fn impossible_validations_are_refused() {
     let good = plan(
         discretisation(AdvectionScheme::EulerSph, Kernel::CubicSpline, "2"),
