@@ -145,13 +145,19 @@ pub fn compare_with_prediction(
             ModeRow { mode, phase, predicted, measured, error }
         })
         .collect();
-    // An error that is no number must come out on top.
-    let max_error = rows
-        .iter()
-        .map(|row| row.error)
-        .fold(0.0, |worst: f64, error| if error <= worst { worst } else { error });
+    let max_error = largest(rows.iter().map(|row| row.error));
     let tolerance = tolerance(symbol, courant_number, particles);
     Validation { rows, steps, max_error, tolerance }
+}
+
+/// The largest of some errors; not a number if any of them is none.
+pub(super) fn largest(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(
+        0.0,
+        |worst: f64, error| {
+            if worst.is_nan() || error <= worst { worst } else { error }
+        },
+    )
 }
 
 fn tolerance(symbol: &Symbol<f64>, courant_number: f64, particles: usize) -> f64 {

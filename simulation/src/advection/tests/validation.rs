@@ -1,6 +1,7 @@
 //! Predicted against measured, mode by mode.
 
 use super::*;
+use crate::advection::amplification::largest;
 use courant_analysis::limit::stability_limit;
 use courant_analysis::rational::integer;
 use courant_analysis::scheme::Scheme;
@@ -167,6 +168,17 @@ fn a_wave_that_vanishes_in_one_step_is_measured() {
         assert!(validation.passed(), "{}", validation.max_error);
         assert!(validation.rows[particles / 2].measured.norm() < 1e-14);
     }
+    let nothing = LatticeCoefficients { values: vec![0.0], left: 0 };
+    let mut stepper = LatticePath::with_coefficients(nothing, 9);
+    let measured = measure_amplification(&mut stepper, 5);
+    assert_eq!(measured, vec![Complex64::new(0.0, 0.0); 5]);
+}
+
+#[test]
+fn an_error_that_is_no_number_comes_out_on_top() {
+    assert_eq!(largest([1.0, 3.0, 2.0].into_iter()), 3.0);
+    assert!(largest([1.0, f64::NAN, 2.0].into_iter()).is_nan());
+    assert!(largest([f64::NAN].into_iter()).is_nan());
 }
 
 #[test]
