@@ -1,6 +1,8 @@
-//! Time stepping for `courant`: gases, scenes, and the methods that advance them.
+//! Time stepping for `courant`: the real schemes, run on particles; gases, scenes, and the methods that
+//! advance them.
 
 pub mod adaptive_sph;
+pub mod advection;
 pub mod comparison;
 pub mod finite_volume;
 pub mod lagrangian;

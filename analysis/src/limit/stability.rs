@@ -155,6 +155,9 @@ impl Edge {
     }
 }
 
+/// A point `(s, t)` where the margin is negative.
+type Counterexample = Box<(Rational, Rational)>;
+
 /// How a stable stretch ends.
 enum Stretch {
     /// At this edge.
@@ -312,10 +315,11 @@ impl<'a> Search<'a> {
     }
 
     /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it.
-    fn bisect(&mut self, from: &Rational, counterexample: Option<(Rational, Rational)>) -> Stretch {
-        let Some((mut s, mut upper)) = counterexample else {
+    fn bisect(&mut self, from: &Rational, counterexample: Option<Counterexample>) -> Stretch {
+        let Some(counterexample) = counterexample else {
             return Stretch::Undecided(from.clone(), self.end.clone());
         };
+        let (mut s, mut upper) = *counterexample;
         let mut lower = from.clone();
         while &upper - &lower > &upper * power_of_half(FIRST_WIDTH) {
             if lower.is_zero() && self.is_unstable_just_above(&lower, &s) {
@@ -324,9 +328,9 @@ impl<'a> Search<'a> {
             let middle = (&lower + &upper) / integer(2);
             match self.is_stable(from, &middle) {
                 Ok(()) => lower = middle,
-                Err(Some((closer, t))) => {
-                    s = closer;
-                    upper = t.min(middle);
+                Err(Some(found)) => {
+                    s = found.0;
+                    upper = found.1.min(middle);
                 }
                 Err(None) => return Stretch::Undecided(lower, upper),
             }
@@ -467,17 +471,13 @@ impl<'a> Search<'a> {
     }
 
     /// `Ok` when `[from, to]` is proved stable, else a counterexample `(s, t)` if one was met.
-    fn is_stable(
-        &mut self,
-        from: &Rational,
-        to: &Rational,
-    ) -> Result<(), Option<(Rational, Rational)>> {
+    fn is_stable(&mut self, from: &Rational, to: &Rational) -> Result<(), Option<Counterexample>> {
         let (sign, work) = self.form.sign(from, to, MAX_BOXES);
         self.work += work;
         match sign {
             Sign::NowhereNegative => Ok(()),
             Sign::SomewhereNegative { phase_parameter, courant_parameter } => {
-                Err(Some((phase_parameter, courant_parameter)))
+                Err(Some(Box::new((phase_parameter, courant_parameter))))
             }
             Sign::Undecided => Err(None),
         }
