@@ -6,6 +6,7 @@ pub mod bernstein;
 pub mod common_factor;
 pub mod cosine_series;
 pub mod dispersion;
+pub mod enclosed_series;
 pub mod fixed_point;
 pub mod integrator;
 pub mod kernel;

@@ -1,8 +1,8 @@
 //! The four lattice sums that make every dispersion relation of Cha & Whitworth 2003, section 4.
 
 use super::density::{Density, Enclosure, relative_density};
-use super::enclosed_series::EnclosedSeries;
 use crate::cosine_series::CosineSeries;
+use crate::enclosed_series::EnclosedSeries;
 use crate::kernel::Kernel;
 use crate::lattice::{LatticeWeights, RatioOutOfRange};
 use crate::rational::{Rational, integer, ratio as fraction};

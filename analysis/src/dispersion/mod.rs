@@ -9,18 +9,23 @@
 
 mod branches;
 mod density;
-mod enclosed_series;
+mod growth;
 mod lattice_sums;
 mod method;
 mod mode;
+mod stable_step;
+mod step_conditions;
 mod wave_errors;
 mod wave_scheme;
 
 pub use branches::{Branch, Frequencies, Regime};
 pub use density::{Density, Enclosure, UnknownDensity, relative_density};
-pub use enclosed_series::EnclosedSeries;
+pub use growth::{Growth, StepVerdict, WEAK_GROWTH, worst_growth};
 pub use lattice_sums::{CompiledSums, LatticeSums, SumValues};
 pub use method::{Form, UnknownForm, WaveMethod};
 pub use mode::Mode;
+pub use stable_step::{
+    Binding, NoSchemeRuns, SampledStep, StableStep, StepEnd, stable_step, stable_step_within,
+};
 pub use wave_errors::{AmplitudeTime, amplitude, damping_per_wavelength, phase_error};
 pub use wave_scheme::{CompiledWaves, WaveScheme};

@@ -1,11 +1,11 @@
 //! A particle method on a lattice: everything about its waves but the time step.
 
 use super::density::Density;
-use super::enclosed_series::EnclosedSeries;
 use super::lattice_sums::LatticeSums;
 use super::method::{Form, WaveMethod};
 use super::mode::Mode;
 use crate::cosine_series::CosineSeries;
+use crate::enclosed_series::EnclosedSeries;
 use crate::kernel::Kernel;
 use crate::lattice::RatioOutOfRange;
 use crate::rational::{Rational, integer, to_f64};

@@ -112,6 +112,21 @@ impl EnclosedSeries {
         Self { numerators, denominator, radius }
     }
 
+    /// The same function with coefficients cut to multiples of `2^−bits`, and the radius widened by what
+    /// was cut off; an exact series is kept as it is.
+    pub fn shortened(self, bits: u32) -> Self {
+        if self.is_exact() {
+            return self;
+        }
+        let numerators: Vec<BigInt> =
+            self.numerators.iter().map(|v| (v << bits).div_floor(&self.denominator)).collect();
+        let cut = Rational::new(BigInt::from(numerators.len()), BigInt::one() << bits);
+        // The radius is rounded up to the same unit.
+        let radius = (self.radius * Rational::from(BigInt::one() << bits)).ceil();
+        let radius = radius / Rational::from(BigInt::one() << bits) + cut;
+        Self { numerators, denominator: BigInt::one() << bits, radius }
+    }
+
     /// Every coefficient multiplied by an exact factor.
     pub fn scaled(&self, factor: &Rational) -> Self {
         Self {
@@ -166,6 +181,10 @@ mod tests {
             let difference =
                 moved(&a).times(&moved(&b)).plus(&product.scaled(&ratio(-1, 1)));
             prop_assert!(difference.norm() <= *product.radius());
+            // Cutting the coefficients keeps the enclosure.
+            let cut = product.clone().shortened(5);
+            let moved = cut.plus(&product.scaled(&ratio(-1, 1)));
+            prop_assert!(moved.norm() + product.radius() <= *cut.radius());
         }
     }
 }
