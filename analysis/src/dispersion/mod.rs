@@ -10,17 +10,20 @@
 mod branches;
 mod density;
 mod growth;
+mod integral_approximation;
 mod lattice_sums;
 mod method;
 mod mode;
 mod stable_step;
 mod step_conditions;
+pub mod sweep;
 mod wave_errors;
 mod wave_scheme;
 
 pub use branches::{Branch, Frequencies, Regime};
 pub use density::{Density, Enclosure, UnknownDensity, relative_density};
 pub use growth::{Growth, StepVerdict, WEAK_GROWTH, worst_growth};
+pub use integral_approximation::{IntegralComparison, compare_integral, integral_sums};
 pub use lattice_sums::{CompiledSums, LatticeSums, SumValues};
 pub use method::{Form, UnknownForm, WaveMethod};
 pub use mode::Mode;

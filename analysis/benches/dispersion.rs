@@ -1,0 +1,58 @@
+//! The (κ, h, α) sweep of phase errors, 400 × 400 × 20.
+//!
+//! Operations: per (κ, h) two Clenshaw sums of together `3K − 1` terms, `K = ⌊2h/Δ⌋ ≤ 3`, at 3 flops
+//! each, and a sine and cosine; per (κ, h, α) a square root for `ω0`, one for the discriminant, a
+//! division and 8 flops. With a square root or division counted as one flop that is 3.2 million × 11 ≈
+//! 35 Mflop, and the exact lattice sums of 400 ratios before it.
+
+use courant_analysis::dispersion::sweep::{
+    Quantity, even_axis, over_phase_ratio_and_viscosity, stable_step_map, unwatched,
+};
+use courant_analysis::dispersion::{WaveMethod, WaveScheme, stable_step};
+use courant_analysis::integrator::Integrator;
+use courant_analysis::kernel::Kernel;
+use courant_analysis::rational::{integer, ratio};
+use criterion::{Criterion, criterion_group, criterion_main};
+use std::hint::black_box;
+
+fn scheme() -> WaveScheme {
+    let method = WaveMethod::SphAv { alpha: integer(1) };
+    WaveScheme::new(method, Kernel::CubicSpline, &ratio(6, 5)).expect("the ratio is in range")
+}
+
+fn sweeps(criterion: &mut Criterion) {
+    let phases: Vec<f64> =
+        (1..=400).map(|index| f64::from(index) * std::f64::consts::PI / 400.0).collect();
+    let ratios = even_axis(&integer(1), &ratio(3, 2), 400);
+    let factors: Vec<f64> = (0..20).map(|index| 0.5 * f64::from(index)).collect();
+    let mut group = criterion.benchmark_group("dispersion");
+    group.sample_size(10);
+    group.bench_function("phase error 400 x 400 x 20", |bencher| {
+        bencher.iter(|| {
+            over_phase_ratio_and_viscosity(
+                black_box(&scheme()),
+                &phases,
+                &ratios,
+                &factors,
+                Quantity::PhaseError,
+                &unwatched,
+            )
+        });
+    });
+    let few = even_axis(&integer(1), &integer(2), 20);
+    group.bench_function("stable step map 20 x 20, rk4", |bencher| {
+        bencher.iter(|| {
+            let integrator = Integrator::Rk4;
+            stable_step_map(black_box(&scheme()), integrator, &few, &factors, 4.0, &unwatched)
+        });
+    });
+    for integrator in [Integrator::SymplecticEuler, Integrator::Rk4] {
+        group.bench_function(format!("proof of one limit, {integrator}"), |bencher| {
+            bencher.iter(|| stable_step(black_box(&scheme()), integrator, &integer(8)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, sweeps);
+criterion_main!(benches);
