@@ -4,10 +4,12 @@
 
 pub mod bernstein;
 pub mod common_factor;
+pub mod consistency;
 pub mod cosine_series;
 pub mod dispersion;
 pub mod enclosed_series;
 pub mod fixed_point;
+pub mod growth;
 pub mod integrator;
 pub mod kernel;
 pub mod lattice;
@@ -18,4 +20,6 @@ pub mod rational;
 pub mod real_roots;
 pub mod scheme;
 pub mod stencil;
+pub mod sweep;
 pub mod symbol;
+pub mod verdict;

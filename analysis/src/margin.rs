@@ -491,8 +491,8 @@ mod tests {
         // would have no digit left.
         let upwind = symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
         let margin = Margin::new(&upwind, &integer(0)).compile();
-        let phase = 1e-9;
-        let expected = 4.0 * (0.5 * phase as f64).sin().powi(2) * 0.25;
+        let phase = 1e-9f64;
+        let expected = 4.0 * (0.5 * phase).sin().powi(2) * 0.25;
         assert!((margin.at(0.5, phase) / expected - 1.0).abs() < 4.0 * f64::EPSILON);
     }
 }

@@ -3,35 +3,7 @@
 use super::wave_scheme::CompiledWaves;
 use crate::integrator::Integrator;
 use crate::limit::critical::resolving_phases;
-
-/// Growth per step below which a scheme is called weakly unstable: an amplitude then takes 70 steps or
-/// more to double.
-pub const WEAK_GROWTH: f64 = 1e-2;
-
-/// What one step does to the worst wave.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StepVerdict {
-    /// No wave grows.
-    Stable,
-    /// No multiplier exceeds one, but a double one sits on the unit circle: linear growth.
-    Marginal,
-    /// A wave grows by at most [`WEAK_GROWTH`] per step.
-    WeaklyUnstable,
-    /// A wave grows faster.
-    Unstable,
-}
-
-impl StepVerdict {
-    /// The word used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Marginal => "marginal",
-            Self::WeaklyUnstable => "weakly-unstable",
-            Self::Unstable => "unstable",
-        }
-    }
-}
+use crate::verdict::{Verdict, WEAK_GROWTH};
 
 /// The fastest growth over all waves, looked at on a grid of phases that resolves every oscillation and
 /// refined to its extremum.
@@ -52,17 +24,18 @@ impl Growth {
         (self.per_step > 0.0).then(|| std::f64::consts::LN_2 / self.per_step.ln_1p())
     }
 
-    /// The verdict on the step.
-    pub fn verdict(&self) -> StepVerdict {
-        // Two roundings of a multiplier near one, or one of a multiplier on the circle.
+    /// The verdict on the step, as far as looking at waves can tell; [`check_step`](super::check_step)
+    /// decides it by the proved limit.
+    pub fn verdict(&self) -> Verdict {
+        // Two roundings of a multiplier near one.
         if self.per_step > WEAK_GROWTH {
-            StepVerdict::Unstable
+            Verdict::Unstable
         } else if self.per_step > 4.0 * f64::EPSILON {
-            StepVerdict::WeaklyUnstable
+            Verdict::WeaklyUnstable
         } else if self.double_multiplier.is_some() {
-            StepVerdict::Marginal
+            Verdict::Marginal
         } else {
-            StepVerdict::Stable
+            Verdict::Stable
         }
     }
 }
@@ -70,13 +43,13 @@ impl Growth {
 /// The fastest growth for `step = c Δt/h`.
 ///
 /// ```
-/// use courant_analysis::dispersion::{StepVerdict, WaveMethod, WaveScheme, worst_growth};
-/// use courant_analysis::{integrator::Integrator, kernel::Kernel, rational::integer};
+/// use courant_analysis::dispersion::{WaveMethod, WaveScheme, worst_growth};
+/// use courant_analysis::{integrator::Integrator, kernel::Kernel, rational::integer, verdict::Verdict};
 /// let scheme = WaveScheme::new(WaveMethod::Sph, Kernel::CubicSpline, &integer(1)).unwrap();
-/// // ω0² = 8 at the shortest wave, c Δt/h = 1/10: |z|² = 1 + (ω0Δt)⁴/4 = 1.0016.
-/// let growth = worst_growth(&scheme.compile(), Integrator::Rk2Heun, 0.1);
-/// assert!((growth.per_step - (1.0016f64.sqrt() - 1.0)).abs() < 1e-12);
-/// assert_eq!(growth.verdict(), StepVerdict::WeaklyUnstable);
+/// // ω0² = 8 at the shortest wave, c Δt/h = 1/20: |z|² = 1 + (ω0Δt)⁴/4 = 1.0001.
+/// let growth = worst_growth(&scheme.compile(), Integrator::Rk2Heun, 0.05);
+/// assert!((growth.per_step - (1.0001f64.sqrt() - 1.0)).abs() < 1e-12);
+/// assert_eq!(growth.verdict(), Verdict::WeaklyUnstable);
 /// ```
 pub fn worst_growth(waves: &CompiledWaves, integrator: Integrator, step: f64) -> Growth {
     let spacing_step = step * waves.ratio();

@@ -15,6 +15,7 @@ mod lattice_sums;
 mod method;
 mod mode;
 mod stable_step;
+mod step_check;
 mod step_conditions;
 pub mod sweep;
 mod wave_errors;
@@ -22,7 +23,7 @@ mod wave_scheme;
 
 pub use branches::{Branch, Frequencies, Regime};
 pub use density::{Density, Enclosure, UnknownDensity, relative_density};
-pub use growth::{Growth, StepVerdict, WEAK_GROWTH, worst_growth};
+pub use growth::{Growth, worst_growth};
 pub use integral_approximation::{IntegralComparison, compare_integral, integral_sums};
 pub use lattice_sums::{CompiledSums, LatticeSums, SumValues};
 pub use method::{Form, UnknownForm, WaveMethod};
@@ -30,5 +31,6 @@ pub use mode::Mode;
 pub use stable_step::{
     Binding, NoSchemeRuns, SampledStep, StableStep, StepEnd, stable_step, stable_step_within,
 };
+pub use step_check::{StepCheck, check_step};
 pub use wave_errors::{AmplitudeTime, amplitude, damping_per_wavelength, phase_error};
 pub use wave_scheme::{CompiledWaves, WaveScheme};

@@ -11,31 +11,10 @@ use super::wave_scheme::{CompiledWaves, WaveScheme};
 use crate::integrator::Integrator;
 use crate::lattice::RatioOutOfRange;
 use crate::rational::{Rational, integer};
+use crate::sweep::{Progress, SweepError};
 use ndarray::{Array2, Array3};
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use thiserror::Error;
-
-/// Why a sweep has no result.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum SweepError {
-    /// A smoothing ratio was out of range.
-    #[error(transparent)]
-    Ratio(#[from] RatioOutOfRange),
-    /// The callback ended it.
-    #[error("the sweep was cancelled")]
-    Cancelled,
-}
-
-/// Hears how many rows of how many are done, from any thread and in any order of rows, and says whether
-/// to go on.
-pub type Watch<'a> = &'a (dyn Fn(usize, usize) -> ControlFlow<()> + Sync);
-
-/// Goes on to the end without a word.
-pub fn unwatched(_done: usize, _total: usize) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 /// `count` values from `from` to `to` inclusive, evenly spaced and exact.
 ///
@@ -87,7 +66,7 @@ impl Quantity {
 fn fill_rows<R: Sync>(
     rows: &[R],
     width: usize,
-    watch: Watch,
+    progress: Progress<'_>,
     fill: impl Fn(&R, &mut [f64]) -> Result<(), SweepError> + Sync,
 ) -> Result<Vec<f64>, SweepError> {
     let mut values = vec![0.0; rows.len() * width];
@@ -101,7 +80,7 @@ fn fill_rows<R: Sync>(
         }
         fill(row, target)?;
         let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
-        if watch(finished, rows.len()).is_break() {
+        if progress(finished, rows.len()).is_break() {
             cancelled.store(true, Ordering::Relaxed);
             return Err(SweepError::Cancelled);
         }
@@ -131,9 +110,9 @@ pub fn over_phase_and_ratio(
     phases: &[f64],
     ratios: &[Rational],
     quantity: Quantity,
-    watch: Watch,
+    progress: Progress<'_>,
 ) -> Result<Array2<f64>, SweepError> {
-    let values = fill_rows(ratios, phases.len(), watch, |ratio, target| {
+    let values = fill_rows(ratios, phases.len(), progress, |ratio, target| {
         let waves = at_ratio(scheme, ratio)?.compile();
         for (value, &phase) in target.iter_mut().zip(phases) {
             *value = quantity.of(&waves.mode(phase));
@@ -153,11 +132,11 @@ pub fn over_phase_and_viscosity(
     phases: &[f64],
     factors: &[f64],
     quantity: Quantity,
-    watch: Watch,
+    progress: Progress<'_>,
 ) -> Result<Array2<f64>, SweepError> {
     let waves = scheme.compile();
     let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
-    let values = fill_rows(factors, phases.len(), watch, |factor, target| {
+    let values = fill_rows(factors, phases.len(), progress, |factor, target| {
         fill_with_viscosity(&modes, *factor, quantity, target);
         Ok(())
     })?;
@@ -180,10 +159,10 @@ pub fn over_phase_ratio_and_viscosity(
     ratios: &[Rational],
     factors: &[f64],
     quantity: Quantity,
-    watch: Watch,
+    progress: Progress<'_>,
 ) -> Result<Array3<f64>, SweepError> {
     let width = factors.len() * phases.len();
-    let values = fill_rows(ratios, width, watch, |ratio, target| {
+    let values = fill_rows(ratios, width, progress, |ratio, target| {
         let waves = at_ratio(scheme, ratio)?.compile();
         let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
         for (target, factor) in target.chunks_mut(phases.len()).zip(factors) {
@@ -204,11 +183,11 @@ pub fn over_phase_and_step(
     integrator: Integrator,
     phases: &[f64],
     steps: &[f64],
-    watch: Watch,
+    progress: Progress<'_>,
 ) -> Result<Array2<f64>, SweepError> {
     let waves = scheme.compile();
     let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
-    let values = fill_rows(steps, phases.len(), watch, |step, target| {
+    let values = fill_rows(steps, phases.len(), progress, |step, target| {
         for (value, mode) in target.iter_mut().zip(&modes) {
             *value = mode.multipliers(integrator, step * waves.ratio()).growth;
         }
@@ -229,10 +208,10 @@ pub fn stable_step_map(
     ratios: &[Rational],
     factors: &[f64],
     max_step: f64,
-    watch: Watch,
+    progress: Progress<'_>,
 ) -> Result<Array2<f64>, SweepError> {
     let (free, damped) = (SampledStep::new(integrator, false), SampledStep::new(integrator, true));
-    let values = fill_rows(ratios, factors.len(), watch, |ratio, target| {
+    let values = fill_rows(ratios, factors.len(), progress, |ratio, target| {
         let moved = at_ratio(scheme, ratio)?;
         let Some(damping) = moved.damping() else {
             target.fill(f64::NAN);
@@ -256,6 +235,8 @@ mod tests {
     use crate::dispersion::{Form, WaveMethod, stable_step};
     use crate::kernel::Kernel;
     use crate::rational::{ratio, to_f64};
+    use crate::sweep::no_progress;
+    use std::ops::ControlFlow;
 
     fn viscous() -> WaveScheme {
         let method = WaveMethod::SphAv { alpha: integer(1) };
@@ -276,11 +257,16 @@ mod tests {
             pool.expect("a small pool starts").install(|| {
                 let box_of = |quantity| {
                     over_phase_ratio_and_viscosity(
-                        &scheme, &phases, &ratios, &factors, quantity, &unwatched,
+                        &scheme,
+                        &phases,
+                        &ratios,
+                        &factors,
+                        quantity,
+                        &no_progress,
                     )
                 };
                 let map =
-                    stable_step_map(&scheme, Integrator::Rk4, &ratios, &factors, 4.0, &unwatched);
+                    stable_step_map(&scheme, Integrator::Rk4, &ratios, &factors, 4.0, &no_progress);
                 let bits = |v: &f64| v.to_bits();
                 let speed: Vec<u64> = box_of(Quantity::Speed).unwrap().iter().map(bits).collect();
                 (speed, map.unwrap().iter().map(bits).collect::<Vec<_>>())
@@ -296,13 +282,18 @@ mod tests {
         let factors = [0.0, 1.0, 3.0];
         let quantity = Quantity::PhaseError;
         let all = over_phase_ratio_and_viscosity(
-            &scheme, &phases, &ratios, &factors, quantity, &unwatched,
+            &scheme,
+            &phases,
+            &ratios,
+            &factors,
+            quantity,
+            &no_progress,
         )
         .unwrap();
         let by_ratio =
-            over_phase_and_ratio(&scheme, &phases, &ratios, quantity, &unwatched).unwrap();
+            over_phase_and_ratio(&scheme, &phases, &ratios, quantity, &no_progress).unwrap();
         let at_6_5 =
-            over_phase_and_viscosity(&scheme, &phases, &factors, quantity, &unwatched).unwrap();
+            over_phase_and_viscosity(&scheme, &phases, &factors, quantity, &no_progress).unwrap();
         assert_eq!(ratios[2], ratio(6, 5));
         assert_eq!(all.index_axis(ndarray::Axis(1), 1), by_ratio);
         assert_eq!(all.index_axis(ndarray::Axis(0), 2), at_6_5);
@@ -310,7 +301,7 @@ mod tests {
         let mode = scheme.compile().mode(phases[7]);
         assert_eq!(at_6_5[[1, 7]], quantity.of(&mode));
         let ratio = Quantity::DampingRatio;
-        let damping = over_phase_and_viscosity(&scheme, &phases, &factors, ratio, &unwatched);
+        let damping = over_phase_and_viscosity(&scheme, &phases, &factors, ratio, &no_progress);
         for ((row, column), value) in damping.unwrap().indexed_iter() {
             let still = at_6_5[[row, column]] == 1.0;
             assert_eq!(*value >= 1.0, still, "over-damped waves do not travel");
@@ -334,7 +325,7 @@ mod tests {
         let stopped = over_phase_and_step(&scheme, euler, &phases, &steps, &stop);
         assert_eq!(stopped.unwrap_err(), SweepError::Cancelled);
         let bad =
-            over_phase_and_ratio(&scheme, &phases, &[integer(0)], Quantity::Speed, &unwatched);
+            over_phase_and_ratio(&scheme, &phases, &[integer(0)], Quantity::Speed, &no_progress);
         assert!(matches!(bad, Err(SweepError::Ratio(_))));
     }
 
@@ -343,7 +334,7 @@ mod tests {
         let ratios = even_axis(&integer(1), &integer(2), 3);
         for integrator in [Integrator::LeapfrogKdk, Integrator::Rk2Heun, Integrator::Rk3Ssp] {
             let map =
-                stable_step_map(&viscous(), integrator, &ratios, &[0.0, 1.0], 4.0, &unwatched);
+                stable_step_map(&viscous(), integrator, &ratios, &[0.0, 1.0], 4.0, &no_progress);
             for ((row, column), value) in map.unwrap().indexed_iter() {
                 let method = WaveMethod::SphAv { alpha: integer(column as i64) };
                 let scheme = WaveScheme::new(method, Kernel::CubicSpline, &ratios[row]).unwrap();
@@ -355,7 +346,7 @@ mod tests {
         }
         let published = WaveMethod::Gph { form: Form::Published };
         let scheme = WaveScheme::new(published, Kernel::CubicSpline, &integer(1)).unwrap();
-        let map = stable_step_map(&scheme, Integrator::Rk4, &ratios, &[1.0], 4.0, &unwatched);
+        let map = stable_step_map(&scheme, Integrator::Rk4, &ratios, &[1.0], 4.0, &no_progress);
         assert!(map.unwrap().iter().all(|value| value.is_nan()));
         assert!(to_f64(&ratios[1]) == 1.5);
     }

@@ -33,12 +33,18 @@ pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Li
         .map(|(even, odd)| even + odd)
         .collect();
     let mut binding: Option<(i64, RealRoot)> = None;
-    for offset in low..=high {
+    // Coefficients that are negative at once come first: they end the search.
+    let mut offsets: Vec<i64> = (low..=high).collect();
+    offsets.sort_by_key(|&offset| !starts_negative(&symbol.center().coefficient(offset)));
+    for offset in offsets {
         let coefficient = symbol.center().coefficient(offset);
         if coefficient.is_zero() {
             continue;
         }
         let end = binding.as_ref().map_or(max_courant, |(_, root)| &root.upper);
+        if end.is_zero() {
+            break;
+        }
         let Some(root) = first_negative(&coefficient, &radius, end) else { continue };
         if binding.as_ref().is_none_or(|(_, best)| root.lower < best.lower) {
             binding = Some((offset, root));
@@ -52,6 +58,11 @@ pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Li
         _ => Limit::between(to_f64_below(&root.lower), to_f64_above(&root.upper), evidence),
     };
     limit.at_offset(offset)
+}
+
+/// Whether the polynomial is negative for every small positive `C`.
+fn starts_negative(polynomial: &Polynomial<Rational>) -> bool {
+    polynomial.coefficients().iter().find(|value| !value.is_zero()).is_some_and(Signed::is_negative)
 }
 
 /// Encloses the smallest `C ∈ [0, end)` above which the polynomial is negative, if there is one.
@@ -78,8 +89,7 @@ fn first_negative(
 
 /// The first point of `[0, end)` from which the polynomial goes negative.
 fn first_sign_change(polynomial: &Polynomial<Rational>, end: &Rational) -> Option<RealRoot> {
-    let lowest = polynomial.coefficients().iter().find(|value| !value.is_zero())?;
-    if lowest.is_negative() {
+    if starts_negative(polynomial) {
         return Some(RealRoot { lower: Rational::zero(), upper: Rational::zero() });
     }
     let roots = real_roots(polynomial, &Rational::zero(), end, ROOT_BITS);

@@ -6,14 +6,16 @@
 
 use super::critical::{Critical, UnstableInterval, refine, resolving_phases, sampled_unstable_set};
 use super::{Evidence, ExactValue, Limit, square_root_enclosure};
-use crate::bernstein::{MarginForm, Sign, Work, is_negative_between};
+use crate::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::margin::{CompiledMargin, Margin};
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, from_f64, integer, to_f64, to_f64_above, to_f64_below};
+use crate::rational::{
+    Rational, from_f64, integer, simplest_between, to_f64, to_f64_above, to_f64_below,
+};
 use crate::real_roots::{RealRoot, real_roots};
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// Boxes one decision may look at.
 pub(crate) const MAX_BOXES: usize = 2000;
@@ -26,6 +28,16 @@ const MAX_PIECES: usize = 24;
 /// The relative width of an enclosure, first tried and last: powers of one half.
 const FIRST_WIDTH: i32 = 52;
 const LAST_WIDTH: i32 = 22;
+
+/// Roots in `t` are enclosed to this many bits, far below the width of an edge.
+const ROOT_BITS: u32 = 72;
+
+/// Roots that may be fractions are enclosed to this many: two fractions that close together have
+/// denominators above 2^100.
+const FRACTION_BITS: u32 = 200;
+
+/// Newton's method doubles the digits: from ten or so bits to more than asked for.
+const NEWTON_STEPS: usize = 7;
 
 /// How often an unstable stretch may be halved in search of witnesses.
 const MAX_HALVINGS: u32 = 48;
@@ -163,6 +175,9 @@ enum Stretch {
     /// Not decided between the two values of `t`.
     Undecided(Rational, Rational),
 }
+
+/// A corner `(s, t)` where the margin is negative, if one was met.
+type Counterexample = Option<Box<(Rational, Rational)>>;
 
 struct Search<'a> {
     margin: &'a Margin,
@@ -309,10 +324,11 @@ impl<'a> Search<'a> {
     }
 
     /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it.
-    fn bisect(&mut self, from: &Rational, counterexample: Option<(Rational, Rational)>) -> Stretch {
-        let Some((mut s, mut upper)) = counterexample else {
+    fn bisect(&mut self, from: &Rational, counterexample: Counterexample) -> Stretch {
+        let Some(found) = counterexample else {
             return Stretch::Undecided(from.clone(), self.end.clone());
         };
+        let (mut s, mut upper) = *found;
         let mut lower = from.clone();
         while &upper - &lower > &upper * power_of_half(FIRST_WIDTH) {
             if lower.is_zero() && self.is_unstable_just_above(&lower, &s) {
@@ -321,7 +337,8 @@ impl<'a> Search<'a> {
             let middle = (&lower + &upper) / integer(2);
             match self.is_stable(from, &middle) {
                 Ok(()) => lower = middle,
-                Err(Some((closer, t))) => {
+                Err(Some(found)) => {
+                    let (closer, t) = *found;
                     s = closer;
                     upper = t.min(middle);
                 }
@@ -364,8 +381,8 @@ impl<'a> Search<'a> {
             let mut unstable = false;
             for s in candidates {
                 self.work.evaluations += 1;
-                let values = self.form.at_phase_parameter(s, 1);
-                if is_negative_between(&values, &lower, &upper) == Some(true) {
+                let values = self.form.integers_at(s, 1);
+                if is_negative_integer_polynomial(&values, &lower, &upper) == Some(true) {
                     unstable = true;
                     break;
                 }
@@ -445,19 +462,13 @@ impl<'a> Search<'a> {
         let to = (&center * from_f64(1.0 + tolerance)?).min(self.end.clone());
         for &shift in shifts {
             self.work.evaluations += 1;
-            let polynomial = Polynomial::new(self.form.at_phase_parameter(s, shift));
-            let nearest = if polynomial.degree() == Some(1) {
-                let value = -polynomial.coefficient(0) / polynomial.coefficient(1);
-                (value > from && value <= to)
-                    .then(|| RealRoot { lower: value.clone(), upper: value })
+            let coefficients = self.form.integers_at(s, shift);
+            let nearest = if s.is_integer() && self.margin.is_exact() {
+                fraction_or_root(coefficients, guess, &from, &to)
             } else {
-                real_roots(&polynomial, &from, &to, FIRST_WIDTH as u32 + 20).into_iter().min_by(
-                    |a, b| {
-                        let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
-                        distance(a).total_cmp(&distance(b))
-                    },
-                )
-            }?;
+                newton_root(&coefficients, guess, ROOT_BITS)
+            };
+            let nearest = nearest.filter(|root| root.lower > from && root.upper <= to)?;
             enclosure = Some(match enclosure {
                 None => nearest,
                 Some(first) => RealRoot {
@@ -470,11 +481,7 @@ impl<'a> Search<'a> {
     }
 
     /// `Ok` when `[from, to]` is proved stable, else a counterexample `(s, t)` if one was met.
-    fn is_stable(
-        &mut self,
-        from: &Rational,
-        to: &Rational,
-    ) -> Result<(), Option<(Rational, Rational)>> {
+    fn is_stable(&mut self, from: &Rational, to: &Rational) -> Result<(), Counterexample> {
         // Boxes are halved in `s` only, which suffices where the margin is at most linear in `t`. Of a
         // higher degree its Bernstein coefficients in `t` may stay negative; then `t` is halved too.
         let (mut pieces, mut boxes) =
@@ -487,7 +494,7 @@ impl<'a> Search<'a> {
             match sign {
                 Sign::NowhereNegative => {}
                 Sign::SomewhereNegative { phase_parameter, courant_parameter } => {
-                    return Err(Some((phase_parameter, courant_parameter)));
+                    return Err(Some(Box::new((phase_parameter, courant_parameter))));
                 }
                 Sign::Undecided if pieces <= pending.len() + 1 => return Err(None),
                 Sign::Undecided => {
@@ -504,10 +511,10 @@ impl<'a> Search<'a> {
     /// Whether the wave with this `s` is unstable on some interval `(from, from + δ)`.
     fn is_unstable_just_above(&mut self, from: &Rational, s: &Rational) -> bool {
         self.work.evaluations += 1;
-        let values = self.form.at_phase_parameter(s, 1);
+        let values = self.form.integers_at(s, 1);
         let step =
             if from.is_zero() { &self.end * power_of_half(60) } else { from * power_of_half(60) };
-        is_negative_between(&values, from, &(from + step)) == Some(true)
+        is_negative_integer_polynomial(&values, from, &(from + step)) == Some(true)
     }
 
     /// The `s` of the resolving phase whose margin is lowest at `t`, if it is negative at all.
@@ -557,6 +564,86 @@ impl<'a> Search<'a> {
             _ => (to_f64_below(lower), to_f64_above(upper)),
         }
     }
+}
+
+/// The root at an end of the phase range, where it may be a fraction: the simplest fraction within a
+/// narrow enclosure is tried. A multiple root, which Newton's method does not enclose, goes to Sturm.
+fn fraction_or_root(
+    coefficients: Vec<BigInt>,
+    guess: f64,
+    from: &Rational,
+    to: &Rational,
+) -> Option<RealRoot> {
+    let narrow = newton_root(&coefficients, guess, FRACTION_BITS);
+    let exact = Polynomial::new(coefficients.into_iter().map(Rational::from).collect());
+    if exact.degree() == Some(1) {
+        let value = -exact.coefficient(0) / exact.coefficient(1);
+        return Some(RealRoot { lower: value.clone(), upper: value });
+    }
+    match narrow {
+        Some(root) => {
+            let simplest = simplest_between(&root.lower, &root.upper);
+            let is_root = exact.evaluate(&simplest).is_zero();
+            Some(if is_root { RealRoot { lower: simplest.clone(), upper: simplest } } else { root })
+        }
+        None => real_roots(&exact, from, to, ROOT_BITS).into_iter().min_by(|a, b| {
+            let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
+            distance(a).total_cmp(&distance(b))
+        }),
+    }
+}
+
+/// A simple root near a positive guess by Newton's method in integer fixed point, enclosed to
+/// [`ROOT_BITS`] and verified by the signs of the exact polynomial at both ends. (The coefficients have
+/// thousands of digits; fractions and Sturm's chain on them cost a thousand times as much.)
+fn newton_root(coefficients: &[BigInt], guess: f64, bits: u32) -> Option<RealRoot> {
+    // Unit of t: about 2^−3·ROOT_BITS of its size. Coefficients keep as many bits below the largest.
+    let digits = 3 * i64::from(bits);
+    let shift = digits - guess.log2().ceil() as i64;
+    let largest = coefficients.iter().map(|value| value.bits() as i64).max()?;
+    let cut = (largest - 2 * digits).max(0) as u64;
+    let rounded: Vec<BigInt> = coefficients.iter().map(|value| value >> cut).collect();
+    let unit =
+        |value: BigInt| if shift >= 0 { value >> shift as u64 } else { value << (-shift) as u64 };
+    let mut root = (from_f64(guess)? * power_of_two(shift)).to_integer();
+    for _ in 0..NEWTON_STEPS {
+        let (mut value, mut slope) = (BigInt::zero(), BigInt::zero());
+        for coefficient in rounded.iter().rev() {
+            slope = unit(slope * &root) + &value;
+            value = unit(value * &root) + coefficient;
+        }
+        if slope.is_zero() {
+            return None;
+        }
+        let step = if shift >= 0 { value << shift as u64 } else { value >> (-shift) as u64 };
+        root -= step / slope;
+    }
+    let margin: BigInt = root.abs() >> u64::from(bits);
+    // Ends with few digits keep the exact evaluations cheap.
+    let coarse = (i64::from(bits) - 8).max(0) as u64;
+    let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
+    let scale = shift - coarse as i64;
+    let sign = |end: &BigInt| {
+        let (power, exponent) = if scale >= 0 { (scale as u64, 0) } else { (0, (-scale) as u64) };
+        let end = end << exponent;
+        // Homogeneous in (end, 2^power): only the sign counts.
+        let mut weight = 0;
+        let value = coefficients.iter().rev().fold(BigInt::zero(), |sum, coefficient| {
+            let next = sum * &end + (coefficient << weight);
+            weight += power;
+            next
+        });
+        value.sign()
+    };
+    (sign(&lower) != sign(&upper)).then(|| RealRoot {
+        lower: Rational::from(lower) * power_of_two(-scale),
+        upper: Rational::from(upper) * power_of_two(-scale),
+    })
+}
+
+fn power_of_two(exponent: i64) -> Rational {
+    let magnitude = Rational::from(BigInt::one() << exponent.unsigned_abs());
+    if exponent < 0 { magnitude.recip() } else { magnitude }
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.

@@ -1,8 +1,8 @@
 use super::*;
-use crate::dispersion::growth::StepVerdict;
 use crate::dispersion::method::{Form, WaveMethod};
 use crate::kernel::Kernel;
 use crate::rational::ratio;
+use crate::verdict::Verdict;
 
 fn scheme(method: WaveMethod, kernel: Kernel, h: Rational) -> WaveScheme {
     WaveScheme::new(method, kernel, &h).unwrap()
@@ -119,7 +119,7 @@ fn the_shortest_wave_of_the_cubic_spline_is_free_between_three_and_five_halves()
             let step = stable_step(&scheme, Integrator::LeapfrogKdk, &integer(8)).unwrap();
             assert!(step.limit().lower() > 0.5);
             let growth = worst_growth(&scheme.compile(), Integrator::LeapfrogKdk, 0.3);
-            assert_eq!(growth.verdict(), StepVerdict::Stable);
+            assert_eq!(growth.verdict(), Verdict::Stable);
         }
     }
 }
@@ -150,7 +150,7 @@ fn weak_instabilities_have_a_rate_and_a_budget() {
         assert_eq!((strict.limit().value(), strict.binding()), (0.0, Some(Binding::Oscillation)));
         // The shortest wave has the largest frequency here.
         assert_eq!(strict.limit().critical_phase(), Some(std::f64::consts::PI));
-        for exponent in [9, 6, 3] {
+        for exponent in [9, 6, 5] {
             let growth = ratio(1, 10i64.pow(exponent));
             let within = stable_step_within(&scheme, integrator, &growth, &integer(8)).unwrap();
             let (y, r) = (1.0 + to_f64(&growth), within.limit().value() * 8f64.sqrt());
@@ -162,7 +162,7 @@ fn weak_instabilities_have_a_rate_and_a_budget() {
             assert!((r / expected - 1.0).abs() < 1e-6, "{integrator} {exponent}");
             let worst = worst_growth(&waves, integrator, within.limit().value());
             assert!((worst.per_step / to_f64(&growth) - 1.0).abs() < 1e-6);
-            assert_eq!(worst.verdict(), StepVerdict::WeaklyUnstable);
+            assert_eq!(worst.verdict(), Verdict::WeaklyUnstable);
             let doubling = worst.steps_to_double().unwrap();
             assert!((doubling * to_f64(&growth) / 2f64.ln() - 1.0).abs() < 1e-2);
         }
@@ -173,9 +173,9 @@ fn weak_instabilities_have_a_rate_and_a_budget() {
 fn verdicts_at_and_around_a_limit() {
     let waves = scheme(WaveMethod::Sph, Kernel::CubicSpline, integer(1)).compile();
     let verdict = |t: f64| worst_growth(&waves, Integrator::LeapfrogKdk, t).verdict();
-    assert_eq!(verdict(0.7), StepVerdict::Stable);
-    assert_eq!(verdict(0.5f64.sqrt()), StepVerdict::Marginal);
-    assert_eq!(verdict(0.71), StepVerdict::Unstable);
+    assert_eq!(verdict(0.7), Verdict::Stable);
+    assert_eq!(verdict(0.5f64.sqrt()), Verdict::Marginal);
+    assert_eq!(verdict(0.71), Verdict::Unstable);
     let published =
         scheme(WaveMethod::Gph { form: Form::Published }, Kernel::CubicSpline, integer(1));
     let refused = stable_step(&published, Integrator::Rk4, &integer(8));
@@ -213,6 +213,6 @@ fn some_lattices_are_unstable_without_any_tension() {
     let quartic = scheme(WaveMethod::Sph, Kernel::QuarticSpline, integer(3));
     let step = stable_step(&quartic, Integrator::Rk4, &integer(8)).unwrap();
     assert_eq!((step.limit().value(), step.binding()), (0.0, Some(Binding::Lattice)));
-    let growth = worst_growth(&quartic.compile(), Integrator::Rk4, 0.01);
-    assert_eq!(growth.verdict(), StepVerdict::WeaklyUnstable);
+    let growth = worst_growth(&quartic.compile(), Integrator::Rk4, 1e-4);
+    assert_eq!(growth.verdict(), Verdict::WeaklyUnstable);
 }
