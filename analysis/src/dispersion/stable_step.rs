@@ -3,7 +3,7 @@
 use super::growth::worst_growth;
 use super::step_conditions::{CompiledCondition, StepCondition, scaled_series};
 use super::wave_scheme::{CompiledWaves, WaveScheme};
-use crate::bernstein::{MarginForm, Sign};
+use crate::bernstein::{MarginForm, Sign, Work};
 use crate::enclosed_series::EnclosedSeries;
 use crate::integrator::Integrator;
 use crate::limit::critical::{negative_intervals, resolving_phases};
@@ -66,6 +66,7 @@ pub struct StableStep {
     binding: Option<Binding>,
     end: StepEnd,
     undecided: Vec<(f64, f64)>,
+    work: Work,
     ratio: Rational,
     standard_deviation: f64,
 }
@@ -89,6 +90,11 @@ impl StableStep {
     /// Intervals of `c Δt/h` that could not be decided.
     pub fn undecided(&self) -> &[(f64, f64)] {
         &self.undecided
+    }
+
+    /// How much work the proofs took.
+    pub fn work(&self) -> Work {
+        self.work
     }
 
     /// The limit as `c Δt/Δ`, per particle spacing.
@@ -141,11 +147,12 @@ pub fn stable_step_within(
 ) -> Result<StableStep, NoSchemeRuns> {
     let (p, q) = scaled_series(scheme).ok_or(NoSchemeRuns)?;
     let evidence = if p.is_exact() && q.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
-    let finish = |limit, binding, end, undecided| StableStep {
+    let finish = |limit, binding, end, undecided, work| StableStep {
         limit,
         binding,
         end,
         undecided,
+        work,
         ratio: scheme.sums().ratio().clone(),
         standard_deviation: scheme.sums().kernel().standard_deviation(),
     };
@@ -157,12 +164,12 @@ pub fn stable_step_within(
                 let phase = phase_of(&phase_parameter);
                 let limit = zero().at_phase(most_unstable_phase(&scheme.compile(), phase));
                 let end = StepEnd::Included;
-                return Ok(finish(limit, Some(Binding::Lattice), end, Vec::new()));
+                return Ok(finish(limit, Some(Binding::Lattice), end, Vec::new(), Work::default()));
             }
             Sign::Undecided => {
                 let undecided = vec![(0.0, to_f64(max_step))];
                 let limit = Limit::between(0.0, f64::INFINITY, evidence);
-                return Ok(finish(limit, None, StepEnd::Included, undecided));
+                return Ok(finish(limit, None, StepEnd::Included, undecided, Work::default()));
             }
         }
     }
@@ -180,11 +187,12 @@ pub fn stable_step_within(
     };
     let set = stable_set_of(&margins[first], &range);
     let (mut limit, mut binding) = (set.limit(), bindings[first]);
-    let mut undecided = set.undecided;
+    let (mut undecided, mut work) = (set.undecided, set.work);
     if limit.is_positive() {
         let rest = slightly_above(limit.upper(), f64::EPSILON.sqrt(), max_step);
         for index in (0..3).filter(|&index| index != first) {
             let set = stable_set_of(&margins[index], &rest);
+            work += set.work;
             undecided.extend(set.undecided.iter().filter(|(from, _)| *from < limit.upper()));
             let other = set.limit();
             if other.value() < limit.value() {
@@ -204,7 +212,7 @@ pub fn stable_step_within(
         Some(Binding::MinusOne) if margins[2].is_neutral() => StepEnd::DoubleMultiplier,
         _ => StepEnd::Included,
     };
-    Ok(finish(limit, binding, end, undecided))
+    Ok(finish(limit, binding, end, undecided, work))
 }
 
 /// Whether `ω0²/s` is nowhere negative.

@@ -183,3 +183,24 @@ fn double_multipliers_are_recognised() {
     assert!(critical.is_double_on_circle() && critical.forward == Complex64::from(-1.0));
     assert!(!Integrator::SymplecticEuler.multipliers(-3.9, 0.0).is_double_on_circle());
 }
+
+#[test]
+fn which_integrators_have_the_same_multipliers() {
+    // Equal trace and determinant as polynomials. The two second-order Runge–Kutta methods are the same
+    // for linear waves; so are, less obviously, the predictor–corrector and the leapfrog with predicted
+    // velocity.
+    let same = |a: Integrator, b: Integrator| {
+        let (a, b) = (a.polynomials(), b.polynomials());
+        a.excess_trace() == b.excess_trace() && a.loss() == b.loss()
+    };
+    for (i, a) in Integrator::ALL.into_iter().enumerate() {
+        for b in Integrator::ALL.into_iter().skip(i + 1) {
+            let expected = matches!(
+                (a, b),
+                (Integrator::Rk2Midpoint, Integrator::Rk2Heun)
+                    | (Integrator::LeapfrogKdkPredicted, Integrator::PredictorCorrector)
+            );
+            assert_eq!(same(a, b), expected, "{a} {b}");
+        }
+    }
+}

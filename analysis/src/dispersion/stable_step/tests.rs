@@ -216,3 +216,15 @@ fn some_lattices_are_unstable_without_any_tension() {
     let growth = worst_growth(&quartic.compile(), Integrator::Rk4, 1e-4);
     assert_eq!(growth.verdict(), Verdict::WeaklyUnstable);
 }
+
+#[test]
+fn proofs_take_few_boxes() {
+    // Counts, not seconds: at most 190 boxes today. A search that loses its way takes thousands.
+    for h in [ratio(1, 1), ratio(6, 5), ratio(2, 1)] {
+        let scheme = scheme(gph(), Kernel::CubicSpline, h);
+        for integrator in Integrator::ALL {
+            let work = stable_step(&scheme, integrator, &integer(8)).unwrap().work();
+            assert!(work.boxes <= 300 && work.evaluations <= 20, "{integrator} {work:?}");
+        }
+    }
+}
