@@ -164,6 +164,9 @@ impl Edge {
     }
 }
 
+/// A point `(s, t)` where the margin is negative.
+type Counterexample = Box<(Rational, Rational)>;
+
 /// How a stable stretch ends.
 enum Stretch {
     /// At this edge.
@@ -175,9 +178,6 @@ enum Stretch {
     /// Not decided between the two values of `t`.
     Undecided(Rational, Rational),
 }
-
-/// A corner `(s, t)` where the margin is negative, if one was met.
-type Counterexample = Option<Box<(Rational, Rational)>>;
 
 struct Search<'a> {
     margin: &'a Margin,
@@ -324,11 +324,11 @@ impl<'a> Search<'a> {
     }
 
     /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it.
-    fn bisect(&mut self, from: &Rational, counterexample: Counterexample) -> Stretch {
-        let Some(found) = counterexample else {
+    fn bisect(&mut self, from: &Rational, counterexample: Option<Counterexample>) -> Stretch {
+        let Some(counterexample) = counterexample else {
             return Stretch::Undecided(from.clone(), self.end.clone());
         };
-        let (mut s, mut upper) = *found;
+        let (mut s, mut upper) = *counterexample;
         let mut lower = from.clone();
         while &upper - &lower > &upper * power_of_half(FIRST_WIDTH) {
             if lower.is_zero() && self.is_unstable_just_above(&lower, &s) {
@@ -338,9 +338,8 @@ impl<'a> Search<'a> {
             match self.is_stable(from, &middle) {
                 Ok(()) => lower = middle,
                 Err(Some(found)) => {
-                    let (closer, t) = *found;
-                    s = closer;
-                    upper = t.min(middle);
+                    s = found.0;
+                    upper = found.1.min(middle);
                 }
                 Err(None) => return Stretch::Undecided(lower, upper),
             }
@@ -481,7 +480,7 @@ impl<'a> Search<'a> {
     }
 
     /// `Ok` when `[from, to]` is proved stable, else a counterexample `(s, t)` if one was met.
-    fn is_stable(&mut self, from: &Rational, to: &Rational) -> Result<(), Counterexample> {
+    fn is_stable(&mut self, from: &Rational, to: &Rational) -> Result<(), Option<Counterexample>> {
         // Boxes are halved in `s` only, which suffices where the margin is at most linear in `t`. Of a
         // higher degree its Bernstein coefficients in `t` may stay negative; then `t` is halved too.
         let (mut pieces, mut boxes) =
