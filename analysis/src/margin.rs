@@ -5,7 +5,7 @@ use crate::common_factor::common_square_root;
 use crate::cosine_series::CosineSeries;
 use crate::enclosed_series::EnclosedSeries;
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer, ratio, to_f64};
+use crate::rational::{Rational, integer, quotient_to_f64, ratio, to_f64};
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -268,9 +268,9 @@ impl Margin {
 
     /// The numeric form, each coefficient correctly rounded.
     pub fn compile(&self) -> CompiledMargin {
-        let series = (0..self.powers()).map(|power| self.coefficient(power).map(to_f64)).collect();
+        let rounded = |value: &BigInt| quotient_to_f64(value, &self.denominator);
         CompiledMargin {
-            series,
+            series: self.series.iter().map(|series| series.map(rounded)).collect(),
             phase_power: self.phase_power as i32,
             complement_power: self.complement_power as i32,
             neutral_waves: {

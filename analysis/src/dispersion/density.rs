@@ -87,12 +87,12 @@ pub fn relative_density(
     // A lattice point exactly on the edge of the support belongs to it.
     let reach = (kernel.exact_support() * ratio).floor().to_integer().to_i64();
     let reach = reach.expect("a ratio of at most 50 gives a small integer");
-    let norm = fixed_point::inverse_sqrt_of_pi();
+    let norm = fixed_point::dyadic(fixed_point::inverse_sqrt_of_pi());
     let shape = |k: i64| {
         let q = integer(k) / ratio;
         match kernel.polynomial() {
             Some(shape) => shape.exact(&q, 0),
-            None => fixed_point::exp_of_minus(&(&q * &q)) * &norm,
+            None => fixed_point::dyadic(fixed_point::exp_of_minus(&(&q * &q))) * &norm,
         }
     };
     let sum = shape(0) + (1..=reach).map(|k| integer(2) * shape(k)).sum::<Rational>();
