@@ -12,6 +12,10 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
+mod cover;
+
+pub use cover::{SignedBox, exact_cover};
+
 /// How much work a decision took: counts, not seconds, so that tests can hold it down.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
@@ -127,6 +131,12 @@ impl MarginForm {
 
     /// Bernstein coefficients of `P` on the box, `[power of t][power of s]`, in fixed point.
     fn first_box(&self, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
+        self.in_fixed_point(self.scaled_box(from, to))
+    }
+
+    /// Positive multiples of the Bernstein coefficients on the box, exact: row by row they still carry
+    /// the binomials of the degree in `s`.
+    fn scaled_box(&self, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
         let degree = self.powers.len().saturating_sub(1);
         let common = from.denom().lcm(to.denom());
         let numerator = |end: &Rational| end.numer() * (&common / end.denom());
@@ -154,7 +164,7 @@ impl MarginForm {
                 .collect();
             rows.push(row);
         }
-        self.in_fixed_point(rows)
+        rows
     }
 
     /// Divides by the binomials and cuts to a unit far below the size of the polynomial: Bernstein

@@ -3,6 +3,7 @@
 //! Nothing here knows of files, terminals or plots. See `ARCHITECTURE.md`.
 
 pub mod bernstein;
+pub mod certificate;
 pub mod common_factor;
 pub mod cosine_series;
 pub mod fixed_point;

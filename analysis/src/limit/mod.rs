@@ -5,8 +5,10 @@ mod monotonicity;
 mod sampled;
 mod stability;
 
+pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
 pub use sampled::{phase_grid, sampled_stability_limit};
+pub(crate) use stability::phase_parameter;
 pub use stability::{StableInterval, StableSet, growth_limit, stability_limit, stable_set};
 
 use crate::rational::{Rational, to_f64, to_f64_above, to_f64_below, to_text};

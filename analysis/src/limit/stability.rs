@@ -536,7 +536,7 @@ impl<'a> Search<'a> {
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.
-fn phase_parameter(phase: f64) -> Rational {
+pub(crate) fn phase_parameter(phase: f64) -> Rational {
     if phase <= 0.0 {
         return Rational::zero();
     }

@@ -4,6 +4,7 @@ use super::Symbol;
 use crate::lattice::LatticeWeights;
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer};
+use crate::stencil::Stencil;
 use num_traits::{One, Signed, Zero};
 
 /// A symbol with rational coefficients and a bound on how far the true one may be.
@@ -16,6 +17,7 @@ pub struct EnclosedSymbol {
     center: Symbol<Rational>,
     even_radius: Vec<Rational>,
     odd_radius: Vec<Rational>,
+    coefficient_radius: Vec<Stencil<Rational>>,
     keeps_constants: bool,
 }
 
@@ -24,7 +26,14 @@ impl EnclosedSymbol {
     pub fn exact(symbol: Symbol<Rational>) -> Self {
         let zeros = vec![Rational::zero(); symbol.stencils().len()];
         let keeps_constants = symbol.moment(0, integer).is_one();
-        Self { center: symbol, even_radius: zeros.clone(), odd_radius: zeros, keeps_constants }
+        let coefficient_radius = vec![Stencil::zero(); zeros.len()];
+        Self {
+            center: symbol,
+            even_radius: zeros.clone(),
+            odd_radius: zeros,
+            coefficient_radius,
+            keeps_constants,
+        }
     }
 
     /// A symbol that is an affine function of lattice weights.
@@ -49,6 +58,7 @@ impl EnclosedSymbol {
         let mut keeps_constants = origin.moment(0, integer).is_one();
         let mut add = |unit: &LatticeWeights| {
             let direction = build(unit) - origin.clone();
+            enclosed.reserve(direction.stencils().len());
             keeps_constants &= direction.moment(0, integer).is_zero();
             for (power, stencil) in direction.stencils().iter().enumerate() {
                 for (offset, value) in stencil.terms().filter(|(_, value)| !value.is_zero()) {
@@ -56,6 +66,9 @@ impl EnclosedSymbol {
                     // both over all offsets bounds the l1 norms of the two parts.
                     let mirrored = stencil.coefficient(-offset);
                     let half = &weights.radius / integer(2);
+                    let reached = Stencil::term(offset, value.abs() * &weights.radius);
+                    let radius = &mut enclosed.coefficient_radius[power];
+                    *radius = std::mem::replace(radius, Stencil::zero()) + reached;
                     enclosed.even_radius[power] += (value + &mirrored).abs() * &half;
                     enclosed.odd_radius[power] += (value - &mirrored).abs() * &half;
                     if offset != 0 && mirrored.is_zero() {
@@ -79,6 +92,14 @@ impl EnclosedSymbol {
         enclosed
     }
 
+    /// Makes room for this many powers of `C`: the center may have fewer than the true symbol.
+    fn reserve(&mut self, powers: usize) {
+        let powers = powers.max(self.even_radius.len());
+        self.even_radius.resize(powers, Rational::zero());
+        self.odd_radius.resize(powers, Rational::zero());
+        self.coefficient_radius.resize(powers, Stencil::zero());
+    }
+
     /// The rational symbol in the middle.
     pub fn center(&self) -> &Symbol<Rational> {
         &self.center
@@ -93,6 +114,19 @@ impl EnclosedSymbol {
     /// The same for the odd parts (the sines of `g`).
     pub fn odd_radius(&self) -> &[Rational] {
         &self.odd_radius
+    }
+
+    /// Per power of `C`, how far each single coefficient may be from the true one.
+    pub fn coefficient_radius(&self) -> &[Stencil<Rational>] {
+        &self.coefficient_radius
+    }
+
+    /// The distance between the lowest and the highest offset that a coefficient or its error can have.
+    pub fn span(&self) -> usize {
+        let radii = self.coefficient_radius.iter().filter_map(Stencil::reach);
+        let reaches = radii.chain(self.center.reach());
+        let reach = reaches.reduce(|(a, b), (c, d)| (a.min(c), b.max(d)));
+        reach.map_or(0, |(low, high)| low.abs_diff(high) as usize)
     }
 
     /// Whether the coefficients are known exactly.
