@@ -201,7 +201,7 @@ pub struct CertifiedCoefficient {
     pub boxes: Vec<CertifiedBox>,
 }
 
-/// The coefficient that turns negative at the limit.
+/// The coefficient that turns negative at the limit: the one of lowest offset, if there are several.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BindingCoefficient {

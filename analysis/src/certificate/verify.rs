@@ -154,7 +154,9 @@ fn check_stability(
 ) -> Result<usize, CertificateError> {
     let margin = &proof.margin;
     ensure(!proof.growth.0.is_negative(), "the permitted growth is negative")?;
-    ensure(matches!(margin.stride, 1 | 2), "the stride is 1 or 2")?;
+    // With a single power of t either stride would do; one spelling is enough.
+    let strides = if margin.coefficients.len() > 1 { 1..=2 } else { 1..=1 };
+    ensure(strides.contains(&margin.stride), "the stride is 1 or 2")?;
     let decider = check_margin(symbol, &proof.growth.0, margin)?;
     check_limit(&proof.limit, margin.stride)?;
 
@@ -520,12 +522,17 @@ fn check_monotonicity(
                 binding.to.0 > upper.0 && binding.to.0 <= &upper.0 + scale * nearness(18),
                 "the binding coefficient is not looked at just above the limit",
             )?;
-            let raised = whole_numbers(&row(binding.offset, 1));
-            let signs = bernstein(&raised, &upper.0, &binding.to.0);
+            let turns_negative = |offset: i64| {
+                let raised = whole_numbers(&row(offset, 1));
+                let values = bernstein(&raised, &upper.0, &binding.to.0);
+                values.iter().all(|value| !value.is_positive())
+                    && values.iter().any(Signed::is_negative)
+            };
+            ensure(binding.offset.abs() <= 2000, "the binding coefficient is out of reach")?;
             ensure(
-                signs.iter().all(|value| !value.is_positive())
-                    && signs.iter().any(Signed::is_negative),
-                "the binding coefficient is not negative above the limit",
+                (-2000..=binding.offset).find(|&offset| turns_negative(offset))
+                    == Some(binding.offset),
+                "the binding coefficient is not the first that turns negative above the limit",
             )?;
             Ok(boxes)
         }
