@@ -88,7 +88,7 @@ def check_stability(c, proof, m, lower, upper):
     if start: check(start - start/2**18 <= grows(proof["below"]) < start, "not just below the interval")
     if upper is not None:
         beyond, s = grows(proof["unstable"]["witness"]), number(proof["unstable"]["s"])
-        check(upper < beyond <= upper + (upper or 1)/2**18 and 0 <= s <= 1, "not just above the limit")
+        check(upper < beyond <= upper + (upper or 1)/2**18 and 0 <= s <= min(1, len(rows[0]) - 1), "not just above the limit")
         check(set(bernstein(at(s), upper, beyond)[0]) in ({"-"}, {"-", "0"}), "the wave at s does not grow throughout")
 
 def verify(c):

@@ -190,7 +190,8 @@ impl StabilityProver<'_> {
             if beyond <= *upper {
                 continue;
             }
-            let mut candidates = vec![phase_parameter(limit.critical_phase().unwrap_or(0.0))];
+            let critical = limit.critical_phase().filter(|_| self.margin.degree() > 0);
+            let mut candidates = vec![phase_parameter(critical.unwrap_or(0.0))];
             if let (Sign::SomewhereNegative { phase_parameter, .. }, _) =
                 self.form.sign(&beyond, &beyond, MAX_BOXES)
             {

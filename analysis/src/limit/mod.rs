@@ -2,11 +2,13 @@
 
 mod critical;
 mod monotonicity;
+mod pointwise;
 mod sampled;
 mod stability;
 
 pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
+pub use pointwise::{PointVerdict, decide_at};
 pub use sampled::{phase_grid, sampled_stability_limit};
 pub(crate) use stability::phase_parameter;
 pub use stability::{StableInterval, StableSet, growth_limit, stability_limit, stable_set};
