@@ -7,10 +7,11 @@
 
 use crate::cosine_series::CosineSeries;
 use crate::margin::Margin;
-use crate::rational::{Rational, integer};
+use crate::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
+use std::collections::VecDeque;
 
 mod cover;
 
@@ -71,9 +72,17 @@ impl MarginForm {
         self.binomials.len() - 1
     }
 
-    /// The polynomial in `t` at a fixed `s ∈ [0, 1]`, up to a positive factor, lowered (`-1`), kept (`0`)
-    /// or raised (`1`) by the uncertainty of the data.
+    /// The polynomial in `t` at a fixed `s ∈ [0, 1]`, in units of the margin's denominator, lowered
+    /// (`-1`), kept (`0`) or raised (`1`) by the uncertainty of the data.
     pub fn at_phase_parameter(&self, s: &Rational, shift: i64) -> Vec<Rational> {
+        let scale = s.denom().pow(self.degree() as u32);
+        let integers = self.integers_at(s, shift);
+        integers.into_iter().map(|value| Rational::new(value, scale.clone())).collect()
+    }
+
+    /// [`at_phase_parameter`](Self::at_phase_parameter) times a positive integer that makes all
+    /// coefficients integers: enough for signs and roots, and free of divisions.
+    pub fn integers_at(&self, s: &Rational, shift: i64) -> Vec<BigInt> {
         let (point, complement) = (s.numer(), s.denom() - s.numer());
         let scale = s.denom().pow(self.degree() as u32);
         self.powers
@@ -86,7 +95,7 @@ impl MarginForm {
                     sum = sum * point + coefficient * &power;
                     power *= &complement;
                 }
-                Rational::new(sum + radius * shift * &scale, scale.clone())
+                sum + radius * shift * &scale
             })
             .collect()
     }
@@ -96,9 +105,10 @@ impl MarginForm {
     pub fn sign(&self, from: &Rational, to: &Rational, max_boxes: usize) -> (Sign, Work) {
         let first = self.first_box(from, to);
         let mut work = Work::default();
-        // Boxes with the left end of their s-interval in units of 2^−depth.
-        let mut pending = vec![(first, BigInt::zero(), 0u32)];
-        while let Some((current, left_end, depth)) = pending.pop() {
+        // Boxes with the left end of their s-interval in units of 2^−depth, coarse ones first: a
+        // counterexample elsewhere is met before a touching zero is pursued without end.
+        let mut pending = VecDeque::from([(first, BigInt::zero(), 0u32)]);
+        while let Some((current, left_end, depth)) = pending.pop_front() {
             work.boxes += 1;
             // Each of the `depth + 1` roundings lowered a number by less than one unit.
             let rounding = -BigInt::from(depth + 1);
@@ -122,9 +132,9 @@ impl MarginForm {
                 return (Sign::Undecided, work);
             }
             let (left, right) = halve(current);
-            let first = left_end << 1;
-            pending.push((right, &first + 1, depth + 1));
-            pending.push((left, first, depth + 1));
+            let first: BigInt = left_end << 1;
+            pending.push_back((left, first.clone(), depth + 1));
+            pending.push_back((right, first + 1, depth + 1));
         }
         (Sign::NowhereNegative, work)
     }
@@ -137,34 +147,22 @@ impl MarginForm {
     /// Positive multiples of the Bernstein coefficients on the box, exact: row by row they still carry
     /// the binomials of the degree in `s`.
     fn scaled_box(&self, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
-        let degree = self.powers.len().saturating_sub(1);
-        let common = from.denom().lcm(to.denom());
-        let numerator = |end: &Rational| end.numer() * (&common / end.denom());
-        let (from, to) = (numerator(from), numerator(to));
-        let factor = binomials(degree).iter().fold(BigInt::one(), |all, value| all.lcm(value));
-        let choices = binomials(degree);
-        let mut rows = Vec::with_capacity(degree + 1);
-        for index in 0..=degree {
-            // Polar form: t^j becomes the j-th elementary symmetric mean of `to` (index times) and
-            // `from` (the other times).
-            let symmetric = elementary_symmetric(&from, degree - index, &to, index);
-            let weights: Vec<BigInt> = (0..=degree)
-                .map(|j| &symmetric[j] * (&factor / &choices[j]) * common.pow((degree - j) as u32))
-                .collect();
-            let row: Vec<BigInt> = (0..=self.degree())
-                .map(|i| {
-                    let total: BigInt =
-                        weights.iter().zip(&self.powers).map(|(w, power)| w * &power[i]).sum();
-                    // The margin of the data: the whole function may be lower by the radius, which in
-                    // scaled form is the radius times the binomial coefficient.
-                    let lowered: BigInt =
-                        weights.iter().zip(&self.radius).map(|(w, radius)| w * radius).sum();
-                    total - lowered * &self.binomials[i]
-                })
-                .collect();
-            rows.push(row);
-        }
-        rows
+        polar_weights(self.powers.len().saturating_sub(1), from, to)
+            .into_iter()
+            .map(|weights| {
+                // The whole function may be lower by the radius, which in scaled form is the radius
+                // times the binomial coefficient.
+                let lowered: BigInt =
+                    weights.iter().zip(&self.radius).map(|(w, radius)| w * radius).sum();
+                (0..=self.degree())
+                    .map(|i| {
+                        let total: BigInt =
+                            weights.iter().zip(&self.powers).map(|(w, power)| w * &power[i]).sum();
+                        total - &lowered * &self.binomials[i]
+                    })
+                    .collect()
+            })
+            .collect()
     }
 
     /// Divides by the binomials and cuts to a unit far below the size of the polynomial: Bernstein
@@ -253,6 +251,27 @@ fn scaled_bernstein(series: &CosineSeries<BigInt>, degree: usize) -> Vec<BigInt>
     scaled
 }
 
+/// How Bernstein coefficients in `t` on `[from, to]` follow from coefficients of powers of `t`, up to a
+/// common positive factor: row `k` holds the weights of `1, t, …, t^degree` in coefficient `k`.
+///
+/// Polar form: `t^j` becomes the `j`-th elementary symmetric mean of `k` copies of `to` and
+/// `degree − k` copies of `from`.
+fn polar_weights(degree: usize, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
+    let common = from.denom().lcm(to.denom());
+    let numerator = |end: &Rational| end.numer() * (&common / end.denom());
+    let (from, to) = (numerator(from), numerator(to));
+    let choices = binomials(degree);
+    let factor = choices.iter().fold(BigInt::one(), |all, value| all.lcm(value));
+    (0..=degree)
+        .map(|k| {
+            let symmetric = elementary_symmetric(&from, degree - k, &to, k);
+            (0..=degree)
+                .map(|j| &symmetric[j] * (&factor / &choices[j]) * common.pow((degree - j) as u32))
+                .collect()
+        })
+        .collect()
+}
+
 /// Whether the polynomial in `t` with these coefficients is negative on the open interval
 /// `(from, to)`: all Bernstein coefficients at most zero, one of them below. `None` when the
 /// coefficients have both signs.
@@ -261,31 +280,25 @@ pub fn is_negative_between(
     from: &Rational,
     to: &Rational,
 ) -> Option<bool> {
-    let degree = coefficients.len().saturating_sub(1);
-    let width = to - from;
-    // Taylor coefficients about `from`, scaled to the unit interval.
-    let mut taylor = coefficients.to_vec();
-    for start in 0..degree {
-        for index in (start..degree).rev() {
-            let carried = &taylor[index + 1] * from;
-            taylor[index] += carried;
-        }
+    let common = coefficients.iter().fold(BigInt::one(), |all, value| all.lcm(value.denom()));
+    let integers: Vec<BigInt> =
+        coefficients.iter().map(|value| value.numer() * (&common / value.denom())).collect();
+    is_negative_integer_polynomial(&integers, from, to)
+}
+
+/// [`is_negative_between`] for integer coefficients.
+pub fn is_negative_integer_polynomial(
+    coefficients: &[BigInt],
+    from: &Rational,
+    to: &Rational,
+) -> Option<bool> {
+    let (mut positive, mut negative) = (false, false);
+    for weights in polar_weights(coefficients.len().saturating_sub(1), from, to) {
+        let value: BigInt = weights.iter().zip(coefficients).map(|(w, value)| w * value).sum();
+        positive |= value.is_positive();
+        negative |= value.is_negative();
     }
-    let mut power = integer(1);
-    for value in &mut taylor {
-        *value *= &power;
-        power *= &width;
-    }
-    let choices = binomials(degree);
-    let mut signs = (false, false);
-    for k in 0..=degree {
-        let row = binomials(k);
-        let value: Rational =
-            (0..=k).map(|i| &taylor[i] * Rational::new(row[i].clone(), choices[i].clone())).sum();
-        signs.0 |= value.is_positive();
-        signs.1 |= value.is_negative();
-    }
-    match signs {
+    match (positive, negative) {
         (true, true) => None,
         (positive, negative) => Some(negative && !positive),
     }
@@ -295,7 +308,7 @@ pub fn is_negative_between(
 mod tests {
     use super::*;
     use crate::kernel::Kernel;
-    use crate::rational::{ratio, to_f64};
+    use crate::rational::{integer, ratio, to_f64};
     use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
     use proptest::prelude::*;
 

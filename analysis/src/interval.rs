@@ -113,7 +113,8 @@ impl Interval {
         }
         if exponent % 2 == 1 {
             // Odd powers are monotone.
-            let (lower, upper) = (signed_power(self.lower, exponent), signed_power(self.upper, exponent));
+            let (lower, upper) =
+                (signed_power(self.lower, exponent), signed_power(self.upper, exponent));
             return Some(Self { lower: lower.lower, upper: upper.upper });
         }
         if exponent == 0 {

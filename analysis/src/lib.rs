@@ -5,8 +5,10 @@
 pub mod bernstein;
 pub mod certificate;
 pub mod common_factor;
+pub mod consistency;
 pub mod cosine_series;
 pub mod fixed_point;
+pub mod growth;
 pub mod interval;
 pub mod kernel;
 pub mod lattice;
@@ -17,5 +19,7 @@ pub mod rational;
 pub mod real_roots;
 pub mod scheme;
 pub mod stencil;
+pub mod sweep;
 pub mod symbol;
+pub mod verdict;
 pub mod weak_instability;

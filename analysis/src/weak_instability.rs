@@ -1,7 +1,7 @@
 //! Weak instability: schemes that grow so slowly that yes or no is the wrong question. How they start
 //! to grow, how fast at a given Courant number, and what a periodic run of `N` cells can see of it.
 
-use crate::limit::Cause;
+use crate::growth::Extremum;
 use crate::margin::{CompiledMargin, Margin};
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer, ratio};
@@ -54,10 +54,8 @@ pub fn long_wave_behaviour_at(
     let t = courant_number.pow(margin.stride() as i32);
     let powers: Vec<Polynomial<Rational>> =
         (0..margin.powers()).map(|power| margin.coefficient(power).in_powers_of_s()).collect();
-    let in_s = powers
-        .into_iter()
-        .rev()
-        .fold(Polynomial::zero(), |sum, power| sum.scale(&t) + power);
+    let in_s =
+        powers.into_iter().rev().fold(Polynomial::zero(), |sum, power| sum.scale(&t) + power);
     let order = in_s.coefficients().iter().position(|value| !value.is_zero())?;
     let factor = courant_number.pow(margin.courant_power() as i32);
     let amplitude = -in_s.coefficient(order) * long_wave_scale(margin, order) * factor;
@@ -70,31 +68,15 @@ fn long_wave_scale(margin: &Margin, order: usize) -> Rational {
     &neutral * &neutral * ratio(1, 4).pow((margin.phase_power() + order) as i32)
 }
 
-/// The wave that grows fastest, and how fast.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Growth {
-    /// `max |g| − 1`: negative when all waves looked at decay.
-    pub per_step: f64,
-    /// The phase of that wave, in radians.
-    pub phase: f64,
-}
-
-impl Growth {
-    /// `ln 2 / ln |g|`; `None` when nothing grows.
-    pub fn steps_to_double(self) -> Option<f64> {
-        (self.per_step > 0.0).then(|| LN_2 / self.per_step.ln_1p())
-    }
-
-    /// Which wave it is.
-    pub fn cause(self) -> Cause {
-        if self.phase <= 0.0 {
-            Cause::LongWave
-        } else if self.phase >= PI {
-            Cause::ShortestWave
-        } else {
-            Cause::Interior
-        }
-    }
+/// Steps until a wave with `|g| − 1 = growth` has doubled, `ln 2 / ln |g|`; `None` when it does not grow.
+///
+/// ```
+/// use courant_analysis::weak_instability::steps_to_double;
+/// assert_eq!(steps_to_double(1.0), Some(1.0));
+/// assert_eq!(steps_to_double(-0.5), None);
+/// ```
+pub fn steps_to_double(growth: f64) -> Option<f64> {
+    (growth > 0.0).then(|| LN_2 / growth.ln_1p())
 }
 
 /// The fastest growing of all waves `0 < φ ≤ π` at one Courant number, in `f64` without cancellation.
@@ -106,15 +88,15 @@ impl Growth {
 /// ```
 /// use courant_analysis::{kernel::Kernel, margin::Margin, rational::integer};
 /// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-/// use courant_analysis::weak_instability::fastest_growth;
+/// use courant_analysis::weak_instability::{fastest_growth, steps_to_double};
 /// let godunov = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
 /// let margin = Margin::new(&godunov.unwrap().symbol(), &integer(0));
 /// // The published 1.90 is above 15/8.
 /// let growth = fastest_growth(&margin, 1.90);
-/// assert!(growth.per_step > 1e-6 && growth.steps_to_double().is_some());
-/// assert!(fastest_growth(&margin, 1.87).steps_to_double().is_none());
+/// assert!(growth.growth > 1e-6 && steps_to_double(growth.growth).is_some());
+/// assert!(fastest_growth(&margin, 1.87).growth <= 0.0);
 /// ```
-pub fn fastest_growth(margin: &Margin, courant_number: f64) -> Growth {
+pub fn fastest_growth(margin: &Margin, courant_number: f64) -> Extremum {
     let compiled = margin.compile();
     let cells = (16 * margin.degree()).max(64);
     let uniform = (1..=cells).map(|index| index as f64 * PI / cells as f64);
@@ -141,7 +123,7 @@ pub fn fastest_growth(margin: &Margin, courant_number: f64) -> Growth {
             if at(left) < at(right) { lower = left } else { upper = right }
         }
         for phase in [phases[index], 0.5 * (lower + upper)] {
-            best = larger(best, Growth { per_step: compiled.growth(courant_number, phase), phase });
+            best = larger(best, Extremum { growth: compiled.growth(courant_number, phase), phase });
         }
     }
     best
@@ -150,26 +132,26 @@ pub fn fastest_growth(margin: &Margin, courant_number: f64) -> Growth {
 /// The fastest growing wave of those a periodic run of `cells` cells can hold: `φ = 2πm/N`.
 ///
 /// A long-wave instability narrower than the smallest phase `2π/N` is not there.
-pub fn growth_seen_by(margin: &Margin, courant_number: f64, cells: usize) -> Growth {
+pub fn growth_seen_by(margin: &Margin, courant_number: f64, cells: usize) -> Extremum {
     let compiled = margin.compile();
     (1..=cells / 2)
         .map(|mode| {
             let phase = (2.0 * PI * mode as f64 / cells as f64).min(PI);
-            Growth { per_step: compiled.growth(courant_number, phase), phase }
+            Extremum { growth: compiled.growth(courant_number, phase), phase }
         })
         .fold(mean_growth(margin, &compiled, courant_number), larger)
 }
 
 /// The infinitely long wave: 0 for a scheme that keeps constants.
-fn mean_growth(margin: &Margin, compiled: &CompiledMargin, courant_number: f64) -> Growth {
+fn mean_growth(margin: &Margin, compiled: &CompiledMargin, courant_number: f64) -> Extremum {
     if margin.phase_power() > 0 {
-        return Growth { per_step: f64::NEG_INFINITY, phase: 0.0 };
+        return Extremum { growth: f64::NEG_INFINITY, phase: 0.0 };
     }
-    Growth { per_step: compiled.growth(courant_number, 0.0), phase: 0.0 }
+    Extremum { growth: compiled.growth(courant_number, 0.0), phase: 0.0 }
 }
 
-fn larger(first: Growth, second: Growth) -> Growth {
-    if second.per_step > first.per_step { second } else { first }
+fn larger(first: Extremum, second: Extremum) -> Extremum {
+    if second.growth > first.growth { second } else { first }
 }
 
 #[cfg(test)]
@@ -223,16 +205,16 @@ mod tests {
         // Euler with central differences: |g|² = 1 + C² sin² φ, largest at π/2.
         let euler = margin(AdvectionScheme::EulerSph, Kernel::CubicSpline, integer(1));
         let growth = fastest_growth(&euler, 0.3);
-        assert!((growth.per_step - (1.09f64.sqrt() - 1.0)).abs() < 1e-15);
-        assert!((growth.phase - PI / 2.0).abs() < 1e-6 && growth.cause() == Cause::Interior);
+        assert!((growth.growth - (1.09f64.sqrt() - 1.0)).abs() < 1e-15);
+        assert!((growth.phase - PI / 2.0).abs() < 1e-6);
         // (1 + x)^n = 2.
-        let steps = growth.steps_to_double().unwrap();
-        assert!(((1.0 + growth.per_step).powf(steps) - 2.0).abs() < 1e-12);
+        let steps = steps_to_double(growth.growth).unwrap();
+        assert!(((1.0 + growth.growth).powf(steps) - 2.0).abs() < 1e-12);
         // A hair above a long-wave limit: only very long waves grow, |g|² − 1 = −A₂φ² − A₄φ⁴.
         let godunov = margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
         let excess = 1e-9;
         let growth = fastest_growth(&godunov, 15.0 / 8.0 * (1.0 + excess));
-        assert!(growth.per_step > 0.0 && growth.phase < 1e-3, "{growth:?}");
+        assert!(growth.growth > 0.0 && growth.phase < 1e-3, "{growth:?}");
         let slope = to_f64(
             &long_wave_behaviour(&godunov).unwrap().amplitude.derivative().evaluate(&ratio(15, 8)),
         );
@@ -240,7 +222,7 @@ mod tests {
         let (a, b) = (slope * 15.0 / 8.0 * excess, to_f64(&quartic));
         // max of aφ² + bφ⁴ is −a²/(4b); half of it is the growth.
         let expected = -a * a / (8.0 * b);
-        assert!((growth.per_step / expected - 1.0).abs() < 1e-3, "{} {expected}", growth.per_step);
+        assert!((growth.growth / expected - 1.0).abs() < 1e-3, "{} {expected}", growth.growth);
     }
 
     #[test]
@@ -248,13 +230,13 @@ mod tests {
         let godunov = margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
         let courant_number = 1.876;
         let all = fastest_growth(&godunov, courant_number);
-        assert!(all.per_step > 0.0);
-        assert!(growth_seen_by(&godunov, courant_number, 20).steps_to_double().is_none());
+        assert!(all.growth > 0.0);
+        assert!(growth_seen_by(&godunov, courant_number, 20).growth <= 0.0);
         let many = growth_seen_by(&godunov, courant_number, 20_000);
-        assert!((many.per_step / all.per_step - 1.0).abs() < 1e-3);
+        assert!((many.growth / all.growth - 1.0).abs() < 1e-3);
         // A scheme that does not keep constants grows whatever the number of cells.
         let drifting = margin(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, integer(3));
         let seen = growth_seen_by(&drifting, 1.0, 2);
-        assert_eq!(seen.phase == 0.0, seen.per_step > 0.0, "{seen:?}");
+        assert_eq!(seen.phase == 0.0, seen.growth > 0.0, "{seen:?}");
     }
 }

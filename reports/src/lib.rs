@@ -1,3 +1,29 @@
-//! Placeholder until the next commit.
+//! Tables, figures and reports: what turns computed results into documents.
+//!
+//! [`figure`] draws: plain data in, PNG or SVG bytes out. [`table`] sets numbers, [`page`] puts both into a
+//! report, [`publish`] writes files whole or not at all. Each paper has a module of its own.
 
 pub mod certificate_file;
+pub mod ferrari2008;
+pub mod figure;
+pub mod npy;
+pub mod number;
+pub mod page;
+pub mod publish;
+pub mod record;
+pub mod stability_map;
+pub mod table;
+
+/// A table or figure of a report, for listing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CatalogueItem {
+    /// The name of its files.
+    pub name: &'static str,
+    /// What it shows.
+    pub description: &'static str,
+    /// The paper and its number there.
+    pub source: &'static str,
+}
+
+/// Every table and figure a report makes.
+pub const CATALOGUE: &[CatalogueItem] = ferrari2008::CATALOGUE;

@@ -31,7 +31,9 @@ pub struct Certificate {
 }
 
 /// An entry that must be there even when it is null.
-fn stated<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Result<Option<T>, D::Error> {
+fn stated<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    source: D,
+) -> Result<Option<T>, D::Error> {
     Option::deserialize(source)
 }
 

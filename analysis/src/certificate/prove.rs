@@ -2,8 +2,8 @@
 
 use super::{
     BindingCoefficient, Certificate, CertifiedBox, CertifiedCoefficient, CertifiedLimit,
-    CertifiedStencil, CertifiedSymbol, Exact, FactoredMargin, GrowingWave, MonotonicityProof, Proof,
-    StabilityProof, Subject, UnstableClaim,
+    CertifiedStencil, CertifiedSymbol, Exact, FactoredMargin, GrowingWave, MonotonicityProof,
+    Proof, StabilityProof, Subject, UnstableClaim,
 };
 use crate::bernstein::{MarginForm, Sign, SignedBox, exact_cover, is_negative_between};
 use crate::limit::{
@@ -322,21 +322,19 @@ fn exactly(value: f64) -> Rational {
 
 /// Numbers above the limit, from far to near.
 fn above(limit: &Rational, max_courant: &Rational) -> impl Iterator<Item = Rational> {
-    let scale =
-        if limit.is_zero() { max_courant.clone().min(integer(1)) } else { limit.clone() };
+    let scale = if limit.is_zero() { max_courant.clone().min(integer(1)) } else { limit.clone() };
     let limit = limit.clone();
-    ABOVE.into_iter().map(move |bits| {
-        &limit + &scale * Rational::new(BigInt::one(), BigInt::one() << bits)
-    })
+    ABOVE
+        .into_iter()
+        .map(move |bits| &limit + &scale * Rational::new(BigInt::one(), BigInt::one() << bits))
 }
 
 fn certified_limit(limit: &Limit, lower: Rational, upper: Option<Rational>) -> CertifiedLimit {
     let exact = upper.as_ref().is_some_and(|upper| *upper == lower);
-    let courant_number =
-        limit.exact().filter(|_| exact).map(|exact| match exact {
-            ExactValue::Fraction(value) => to_text(value),
-            ExactValue::SquareRoot(square) => format!("sqrt({})", to_text(square)),
-        });
+    let courant_number = limit.exact().filter(|_| exact).map(|exact| match exact {
+        ExactValue::Fraction(value) => to_text(value),
+        ExactValue::SquareRoot(square) => format!("sqrt({})", to_text(square)),
+    });
     CertifiedLimit { lower: lower.into(), upper: upper.map(Exact), courant_number }
 }
 
@@ -345,7 +343,10 @@ fn certified_box(signed: SignedBox) -> CertifiedBox {
 }
 
 /// A cover of `[0, end]` on which the polynomial has no negative Bernstein coefficient.
-fn non_negative_cover(polynomial: &Polynomial<Rational>, end: &Rational) -> Option<Vec<CertifiedBox>> {
+fn non_negative_cover(
+    polynomial: &Polynomial<Rational>,
+    end: &Rational,
+) -> Option<Vec<CertifiedBox>> {
     let mut cover = Vec::new();
     let mut pending = vec![(Rational::zero(), end.clone())];
     while let Some((from, to)) = pending.pop() {

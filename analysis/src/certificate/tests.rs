@@ -51,7 +51,8 @@ fn every_kernel_and_scheme_is_derived_again_by_the_checker() {
             for l in [ratio(1, 4), ratio(3, 2), ratio(13, 10), integer(2)] {
                 let scheme = scheme(of, kernel, l.clone());
                 for certificate in stability(&scheme, &integer(0)) {
-                    verify(&certificate).unwrap_or_else(|error| panic!("{of} {kernel} {l}: {error}"));
+                    verify(&certificate)
+                        .unwrap_or_else(|error| panic!("{of} {kernel} {l}: {error}"));
                 }
                 verify(&monotonicity(&scheme)).unwrap();
             }

@@ -7,8 +7,8 @@
 mod subject;
 
 use super::{
-    Certificate, CertifiedBox, CertifiedLimit, CertifiedSymbol, Exact, FactoredMargin,
-    GrowingWave, MonotonicityProof, Proof, StabilityProof, UnstableClaim,
+    Certificate, CertifiedBox, CertifiedLimit, CertifiedSymbol, Exact, FactoredMargin, GrowingWave,
+    MonotonicityProof, Proof, StabilityProof, UnstableClaim,
 };
 use crate::rational::{Rational, integer};
 use num_bigint::BigInt;
@@ -117,14 +117,12 @@ fn check_symbol(symbol: &CertifiedSymbol) -> Result<(), CertificateError> {
         )?;
         let (even, odd) = (&symbol.even_radius[power].0, &symbol.odd_radius[power].0);
         let total: Rational = stencil.radius.iter().map(|radius| &radius.0).sum();
-        let consistent = stencil
-            .radius
-            .iter()
-            .all(|radius| !radius.0.is_negative() && radius.0 <= even + odd)
-            && !even.is_negative()
-            && !odd.is_negative()
-            && *even <= total
-            && *odd <= total;
+        let consistent =
+            stencil.radius.iter().all(|radius| !radius.0.is_negative() && radius.0 <= even + odd)
+                && !even.is_negative()
+                && !odd.is_negative()
+                && *even <= total
+                && *odd <= total;
         ensure(consistent, "the radii of a stencil contradict each other")?;
     }
     let moments = symbol.stencils.iter().enumerate().map(|(power, stencil)| {
@@ -224,8 +222,8 @@ fn check_limit(limit: &CertifiedLimit, stride: usize) -> Result<(), CertificateE
         return ensure(limit.courant_number.is_none(), "an enclosed limit has no closed form");
     }
     let fraction = (stride == 1).then(|| lower.clone()).or_else(|| square_root(lower));
-    let expected = fraction
-        .map_or_else(|| format!("sqrt({})", text(lower)), |fraction| text(&fraction));
+    let expected =
+        fraction.map_or_else(|| format!("sqrt({})", text(lower)), |fraction| text(&fraction));
     ensure(
         limit.courant_number.as_deref() == Some(expected.as_str()),
         "the closed form is not that of the limit",
@@ -385,7 +383,8 @@ fn check_margin(
         )?;
     }
     let radius: Vec<BigInt> = margin.radius.iter().map(|value| value.0.to_integer()).collect();
-    let beyond_bounds = margin.courant_power + margin.stride * (radius.len() - 1) >= 2 * symbol.stencils.len() - 1;
+    let beyond_bounds =
+        margin.courant_power + margin.stride * (radius.len() - 1) >= 2 * symbol.stencils.len() - 1;
     ensure(!beyond_bounds, "the polynomial has more powers of C than |g|² can have")?;
     let rows = margin.coefficients.iter();
     let rows = rows.map(|row| row.iter().map(|value| value.0.to_integer()).collect()).collect();
@@ -458,7 +457,9 @@ fn error_bounds(symbol: &CertifiedSymbol) -> Vec<Rational> {
                 let at = |k| coefficient(&stencil.coefficients, stencil.lowest, k);
                 let high = stencil.lowest + stencil.radius.len() as i64;
                 let reach = stencil.lowest.abs().max(high.abs());
-                (-reach..=reach).map(|k| (at(k) + at(-k) * integer(mirror)).abs() / integer(2)).sum()
+                (-reach..=reach)
+                    .map(|k| (at(k) + at(-k) * integer(mirror)).abs() / integer(2))
+                    .sum()
             })
             .collect();
         for i in 0..powers {

@@ -20,8 +20,20 @@ impl Random {
     /// Floats of every kind: special ones, any bit pattern, neighbours of round numbers.
     fn float(&mut self) -> f64 {
         const SPECIAL: [f64; 14] = [
-            0.0, -0.0, 1.0, -1.0, 0.5, 3.0, 0.1, f64::MAX, f64::MIN, f64::MIN_POSITIVE,
-            5e-324, -5e-324, f64::EPSILON, 1e-300,
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            0.5,
+            3.0,
+            0.1,
+            f64::MAX,
+            f64::MIN,
+            f64::MIN_POSITIVE,
+            5e-324,
+            -5e-324,
+            f64::EPSILON,
+            1e-300,
         ];
         let bits = self.bits();
         match bits % 8 {
@@ -76,7 +88,12 @@ fn the_four_operations_and_the_square_are_as_tight_as_can_be() {
         check(x * y, &(&p * &q), 0, &format!("{a:e} * {b:e}"));
         check(x.sqr(), &(&p * &p), 0, &format!("{a:e} squared"));
         if b != 0.0 {
-            check(x / y, &(&p / &q), if a.abs() < SMALL { 1 } else { 0 }, &format!("{a:e} / {b:e}"));
+            check(
+                x / y,
+                &(&p / &q),
+                if a.abs() < SMALL { 1 } else { 0 },
+                &format!("{a:e} / {b:e}"),
+            );
         } else {
             assert_eq!(x / y, Interval::WHOLE);
             assert_eq!(x.divided_by(y), None);

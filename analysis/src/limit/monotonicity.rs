@@ -26,8 +26,14 @@ const ROOT_BITS: u32 = 70;
 pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Limit {
     let evidence = if symbol.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
     let mut binding: Option<(i64, RealRoot)> = None;
-    for (offset, coefficient, radius) in enclosed_coefficients(symbol) {
+    // Coefficients that are negative at once come first: they end the search.
+    let mut coefficients = enclosed_coefficients(symbol);
+    coefficients.sort_by_key(|(_, center, _)| !starts_negative(center));
+    for (offset, coefficient, radius) in coefficients {
         let end = binding.as_ref().map_or(max_courant, |(_, root)| &root.upper);
+        if end.is_zero() {
+            break;
+        }
         let Some(root) = first_negative(&coefficient, &radius, end) else { continue };
         if binding.as_ref().is_none_or(|(_, best)| root.lower < best.lower) {
             binding = Some((offset, root));
@@ -60,6 +66,11 @@ pub(crate) fn enclosed_coefficients(
     coefficients.filter(|(_, center, radius)| !center.is_zero() || !radius.is_zero()).collect()
 }
 
+/// Whether the polynomial is negative for every small positive `C`.
+fn starts_negative(polynomial: &Polynomial<Rational>) -> bool {
+    polynomial.coefficients().iter().find(|value| !value.is_zero()).is_some_and(Signed::is_negative)
+}
+
 /// Encloses the smallest `C ∈ [0, end)` above which the polynomial is negative, if there is one.
 fn first_negative(
     coefficient: &Polynomial<Rational>,
@@ -77,8 +88,7 @@ fn first_negative(
 
 /// The first point of `[0, end)` from which the polynomial goes negative.
 fn first_sign_change(polynomial: &Polynomial<Rational>, end: &Rational) -> Option<RealRoot> {
-    let lowest = polynomial.coefficients().iter().find(|value| !value.is_zero())?;
-    if lowest.is_negative() {
+    if starts_negative(polynomial) {
         return Some(RealRoot { lower: Rational::zero(), upper: Rational::zero() });
     }
     let roots = real_roots(polynomial, &Rational::zero(), end, ROOT_BITS);

@@ -82,6 +82,5 @@ fn negative_point(polynomial: &Polynomial<Rational>) -> Option<Rational> {
     }
 }
 
-
 #[cfg(test)]
 mod tests;

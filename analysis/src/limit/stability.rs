@@ -6,14 +6,16 @@
 
 use super::critical::{Critical, UnstableInterval, refine, resolving_phases, sampled_unstable_set};
 use super::{Evidence, ExactValue, Limit, square_root_enclosure};
-use crate::bernstein::{MarginForm, Sign, Work, is_negative_between};
+use crate::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::margin::{CompiledMargin, Margin};
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, from_f64, integer, to_f64, to_f64_above, to_f64_below};
+use crate::rational::{
+    Rational, from_f64, integer, simplest_between, to_f64, to_f64_above, to_f64_below,
+};
 use crate::real_roots::{RealRoot, real_roots};
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// Boxes one decision may look at.
 const MAX_BOXES: usize = 2000;
@@ -22,8 +24,27 @@ const MAX_BOXES: usize = 2000;
 const FIRST_WIDTH: i32 = 52;
 const LAST_WIDTH: i32 = 22;
 
+/// Roots in `t` are enclosed to this many bits, far below the width of an edge.
+const ROOT_BITS: u32 = 72;
+
+/// Roots that may be fractions are enclosed to this many: two fractions that close together have
+/// denominators above 2^100.
+const FRACTION_BITS: u32 = 200;
+
+/// Newton's method doubles the digits: from ten or so bits to more than asked for.
+const NEWTON_STEPS: usize = 7;
+
+/// Bisection towards 0 stops at this power of one half of the range.
+const FLOOR_BITS: i32 = 120;
+
+/// How many touching waves are passed in one search.
+const MAX_TOUCHES: usize = 16;
+
 /// How often an unstable stretch may be halved in search of witnesses.
 const MAX_HALVINGS: u32 = 48;
+
+/// How many pieces of an unstable stretch may resist before it is no longer halved.
+const MAX_FAILURES: usize = 2000;
 
 /// How many stretches of one kind are followed before the rest is left undecided.
 const MAX_STRETCHES: usize = 64;
@@ -55,10 +76,14 @@ pub struct StableSet {
 }
 
 impl StableSet {
-    /// The end of the stable interval that begins at 0; exactly 0 when there is none.
+    /// The end of the stable interval that begins at 0; exactly 0 when there is none, and `[0, ∞]` when
+    /// nothing could be decided from 0 on.
     pub fn limit(&self) -> Limit {
         match self.intervals.first() {
             Some(first) if first.from.upper() == 0.0 => first.to.clone(),
+            _ if self.undecided.first().is_some_and(|open| open.0 == 0.0) => {
+                Limit::between(0.0, f64::INFINITY, self.evidence)
+            }
             _ => {
                 let zero = Limit::exactly(ExactValue::Fraction(Rational::zero()), self.evidence);
                 match self.immediately_unstable_phase {
@@ -111,6 +136,17 @@ pub fn growth_limit(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Ra
 
 /// Every Courant number in `[0, max_courant]` with `|g| ≤ 1 + growth` for all waves.
 pub fn stable_set(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rational) -> StableSet {
+    stable_set_to(symbol, growth, max_courant, FIRST_WIDTH as u32)
+}
+
+/// [`stable_set`] with ends enclosed to about `2^−bits` of their size (limits that are found exactly are
+/// exact all the same). More bits than the 52 of an `f64` are not kept.
+pub fn stable_set_to(
+    symbol: &EnclosedSymbol,
+    growth: &Rational,
+    max_courant: &Rational,
+    bits: u32,
+) -> StableSet {
     let margin = Margin::new(symbol, growth);
     let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
     if margin.is_neutral() {
@@ -126,7 +162,7 @@ pub fn stable_set(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rati
             work: Work::default(),
         };
     }
-    Search::new(&margin, max_courant).run(max_courant, evidence)
+    Search::new(&margin, max_courant, bits).run(max_courant, evidence)
 }
 
 /// An end of a stretch in `t`: nothing is claimed strictly between `lower` and `upper`.
@@ -161,11 +197,13 @@ struct Search<'a> {
     compiled: CompiledMargin,
     guesses: Vec<UnstableInterval>,
     end: Rational,
+    first_width: i32,
+    touches: usize,
     work: Work,
 }
 
 impl<'a> Search<'a> {
-    fn new(margin: &'a Margin, max_courant: &Rational) -> Self {
+    fn new(margin: &'a Margin, max_courant: &Rational, bits: u32) -> Self {
         let compiled = margin.compile();
         let end = (0..margin.stride()).fold(integer(1), |power, _| power * max_courant);
         let guesses =
@@ -176,6 +214,8 @@ impl<'a> Search<'a> {
             compiled,
             guesses,
             end,
+            first_width: (bits as i32).clamp(4, FIRST_WIDTH),
+            touches: 0,
             work: Work::default(),
         }
     }
@@ -193,14 +233,20 @@ impl<'a> Search<'a> {
                     break;
                 }
                 Stretch::Undecided(lower, upper) => {
+                    let open = self.courant_numbers(&lower, &upper);
                     if lower > from.upper {
-                        let edge =
-                            Edge { lower: lower.clone(), upper: lower.clone(), phase: from.phase };
-                        let to =
-                            self.limit(&edge, Evidence::Sampled { phases: self.sampled_phases() });
+                        let to = Limit::between(open.0, open.1, evidence);
                         intervals.push(StableInterval { from: self.limit(&from, evidence), to });
                     }
-                    undecided.push(self.courant_numbers(&lower, &upper));
+                    // A sliver is stepped over; otherwise all of the rest is open.
+                    let widest = LAST_WIDTH.min(self.first_width);
+                    let sliver = &upper - &lower <= &upper * power_of_half(widest);
+                    if sliver && lower > from.upper {
+                        undecided.push(open);
+                        from = Edge { lower: lower.clone(), upper, phase: from.phase };
+                        continue;
+                    }
+                    undecided.push((open.0, self.courant_numbers(&upper, &self.end).1));
                     break;
                 }
                 Stretch::Empty(s) => {
@@ -240,8 +286,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn sampled_phases(&self) -> usize {
-        resolving_phases(self.margin.degree()).count()
+    /// The relative widths to try, as powers of one half.
+    fn widths(&self) -> impl Iterator<Item = i32> + use<> {
+        (LAST_WIDTH.min(self.first_width)..=self.first_width).rev().step_by(3)
     }
 
     /// Proves `[from, end of the stretch]` stable.
@@ -269,14 +316,21 @@ impl<'a> Search<'a> {
         for s in [integer(0), integer(1)] {
             // An end of the phase range binds: its critical value is a root of a polynomial in t.
             let Some(root) = self.root_near(&s, refined.parameter, 1e-9) else { continue };
-            if root.lower > *from && self.is_stable(from, &root.lower).is_ok() {
-                let phase = if s.is_zero() { 0.0 } else { std::f64::consts::PI };
-                return Stretch::Ends(Edge { lower: root.lower, upper: root.upper, phase });
+            let phase = if s.is_zero() { 0.0 } else { std::f64::consts::PI };
+            let mut lowers = vec![root.lower.clone()];
+            if !self.margin.is_exact() {
+                // The lowered margin vanishes at this very end, which boxes need not see.
+                lowers.push(&root.lower * (integer(1) - power_of_half(self.first_width - 2)));
+            }
+            for lower in lowers {
+                if lower > *from && self.is_stable(from, &lower).is_ok() {
+                    return Stretch::Ends(Edge { lower, upper: root.upper, phase });
+                }
             }
         }
         let mut counterexample = None;
         if let Some(edge) = self.interior_edge(refined) {
-            for bits in (LAST_WIDTH..=FIRST_WIDTH).rev().step_by(3) {
+            for bits in self.widths() {
                 let lower = &edge.upper * (integer(1) - power_of_half(bits));
                 if lower <= *from {
                     break;
@@ -299,31 +353,79 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it.
+    /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it or
+    /// from nothing but the failure to prove the rest of the range stable.
     fn bisect(&mut self, from: &Rational, counterexample: Option<(Rational, Rational)>) -> Stretch {
-        let Some((mut s, mut upper)) = counterexample else {
-            return Stretch::Undecided(from.clone(), self.end.clone());
+        let (mut witness, mut upper) = match counterexample {
+            Some((s, t)) => (Some(s), t),
+            None => (None, self.end.clone()),
         };
         let mut lower = from.clone();
-        while &upper - &lower > &upper * power_of_half(FIRST_WIDTH) {
-            if lower.is_zero() && self.is_unstable_just_above(&lower, &s) {
-                return Stretch::Empty(s);
+        let floor = &self.end * power_of_half(FLOOR_BITS);
+        while &upper - &lower > &upper * power_of_half(self.first_width) {
+            if lower.is_zero() {
+                if let Some(s) = witness.take_if(|s| self.is_unstable_just_above(&lower, s)) {
+                    return Stretch::Empty(s);
+                }
+                if upper < floor {
+                    break;
+                }
             }
             let middle = (&lower + &upper) / integer(2);
-            match self.is_stable(from, &middle) {
+            match self.is_stable(&lower, &middle) {
                 Ok(()) => lower = middle,
                 Err(Some((closer, t))) => {
-                    s = closer;
+                    witness = Some(closer);
                     upper = t.min(middle);
                 }
-                Err(None) => return Stretch::Undecided(lower, upper),
+                Err(None) => {
+                    witness = None;
+                    upper = middle;
+                }
             }
             if upper <= *from {
-                return Stretch::Empty(s);
+                break;
             }
         }
-        let phase = phase_of(&s);
-        Stretch::Ends(Edge { lower, upper, phase })
+        match witness {
+            Some(s) if upper <= *from => Stretch::Empty(s),
+            Some(s) if self.is_unstable_just_above(&upper, &s) => {
+                let phase = phase_of(&s);
+                Stretch::Ends(Edge { lower, upper, phase })
+            }
+            Some(s) if !self.margin.is_exact() => match self.certainly_unstable_from(&upper, &s) {
+                Some(upper) => Stretch::Ends(Edge { lower, upper, phase: phase_of(&s) }),
+                None => Stretch::Undecided(lower, self.end.clone()),
+            },
+            _ => self.pass_touching_wave(lower, upper),
+        }
+    }
+
+    /// Goes on beyond a value of `t` where the margin vanishes without being negative: boxes with their
+    /// corner there decide what boxes across it cannot.
+    fn pass_touching_wave(&mut self, lower: Rational, upper: Rational) -> Stretch {
+        if lower >= upper || self.touches == MAX_TOUCHES {
+            return Stretch::Undecided(lower, upper);
+        }
+        self.touches += 1;
+        let touch = simplest_between(&lower, &upper);
+        let beyond = (&touch * (integer(1) + power_of_half(10))).min(self.end.clone());
+        if touch.is_zero()
+            || self.is_stable(&lower, &touch).is_err()
+            || self.is_stable(&touch, &beyond).is_err()
+        {
+            return Stretch::Undecided(lower, upper);
+        }
+        if beyond == self.end {
+            return Stretch::Continues;
+        }
+        match self.stable_stretch(&beyond) {
+            Stretch::Empty(s) => {
+                let phase = phase_of(&s);
+                Stretch::Ends(Edge { lower: beyond.clone(), upper: beyond, phase })
+            }
+            other => other,
+        }
     }
 
     /// Proves the stretch from `from` to the next stable one unstable. Returns where it ends (`None`:
@@ -344,6 +446,7 @@ impl<'a> Search<'a> {
         let mut witnesses = vec![witness];
         witnesses.extend(edge.as_ref().map(|edge| phase_parameter(edge.phase)));
         let mut gaps: Vec<(Rational, Rational)> = Vec::new();
+        let mut failures = 0;
         let mut pending = vec![(from.clone(), to, MAX_HALVINGS)];
         while let Some((lower, upper, halvings)) = pending.pop() {
             if lower >= upper {
@@ -355,8 +458,8 @@ impl<'a> Search<'a> {
             let mut unstable = false;
             for s in candidates {
                 self.work.evaluations += 1;
-                let values = self.form.at_phase_parameter(s, 1);
-                if is_negative_between(&values, &lower, &upper) == Some(true) {
+                let values = self.form.integers_at(s, 1);
+                if is_negative_integer_polynomial(&values, &lower, &upper) == Some(true) {
                     unstable = true;
                     break;
                 }
@@ -364,7 +467,8 @@ impl<'a> Search<'a> {
             if unstable {
                 continue;
             }
-            if halvings == 0 || gaps.len() > 8 {
+            failures += 1;
+            if halvings == 0 || gaps.len() > 8 || failures > MAX_FAILURES {
                 match gaps.last_mut() {
                     Some(last) if last.1 == lower => last.1 = upper,
                     _ => gaps.push((lower, upper)),
@@ -390,7 +494,7 @@ impl<'a> Search<'a> {
             }
         }
         let edge = self.interior_edge(refined)?;
-        for bits in (LAST_WIDTH..=FIRST_WIDTH).rev().step_by(3) {
+        for bits in self.widths() {
             let upper = &edge.lower * (integer(1) + power_of_half(bits));
             let beyond = &upper * (integer(1) + power_of_half(bits - 6));
             if self.is_stable(&upper, &beyond).is_ok() {
@@ -429,6 +533,9 @@ impl<'a> Search<'a> {
     /// The root in `t` of the margin at a fixed `s` nearest to a guess; enclosed, and widened by the
     /// uncertainty of the data.
     fn root_near(&mut self, s: &Rational, guess: f64, tolerance: f64) -> Option<RealRoot> {
+        if guess <= 0.0 {
+            return None;
+        }
         let mut enclosure: Option<RealRoot> = None;
         let shifts: &[i64] = if self.margin.is_exact() { &[0] } else { &[-1, 1] };
         let center = from_f64(guess)?;
@@ -436,19 +543,13 @@ impl<'a> Search<'a> {
         let to = (&center * from_f64(1.0 + tolerance)?).min(self.end.clone());
         for &shift in shifts {
             self.work.evaluations += 1;
-            let polynomial = Polynomial::new(self.form.at_phase_parameter(s, shift));
-            let nearest = if polynomial.degree() == Some(1) {
-                let value = -polynomial.coefficient(0) / polynomial.coefficient(1);
-                (value > from && value <= to)
-                    .then(|| RealRoot { lower: value.clone(), upper: value })
+            let coefficients = self.form.integers_at(s, shift);
+            let nearest = if s.is_integer() && self.margin.is_exact() {
+                fraction_or_root(coefficients, guess, &from, &to)
             } else {
-                real_roots(&polynomial, &from, &to, FIRST_WIDTH as u32 + 20).into_iter().min_by(
-                    |a, b| {
-                        let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
-                        distance(a).total_cmp(&distance(b))
-                    },
-                )
-            }?;
+                newton_root(&coefficients, guess, ROOT_BITS)
+            };
+            let nearest = nearest.filter(|root| root.lower > from && root.upper <= to)?;
             enclosure = Some(match enclosure {
                 None => nearest,
                 Some(first) => RealRoot {
@@ -477,13 +578,22 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Where above `from` the wave with this `s` begins to be unstable for all data within the radii.
+    fn certainly_unstable_from(&mut self, from: &Rational, s: &Rational) -> Option<Rational> {
+        self.work.evaluations += 1;
+        let raised = self.form.integers_at(s, 1).into_iter().map(Rational::from).collect();
+        let roots = real_roots(&Polynomial::new(raised), from, &self.end, ROOT_BITS);
+        let mut ends = roots.into_iter().map(|root| root.upper);
+        ends.find(|end| self.is_unstable_just_above(end, s))
+    }
+
     /// Whether the wave with this `s` is unstable on some interval `(from, from + δ)`.
     fn is_unstable_just_above(&mut self, from: &Rational, s: &Rational) -> bool {
         self.work.evaluations += 1;
-        let values = self.form.at_phase_parameter(s, 1);
+        let values = self.form.integers_at(s, 1);
         let step =
             if from.is_zero() { &self.end * power_of_half(60) } else { from * power_of_half(60) };
-        is_negative_between(&values, from, &(from + step)) == Some(true)
+        is_negative_integer_polynomial(&values, from, &(from + step)) == Some(true)
     }
 
     /// The `s` of the resolving phase whose margin is lowest at `t`, if it is negative at all.
@@ -533,6 +643,86 @@ impl<'a> Search<'a> {
             _ => (to_f64_below(lower), to_f64_above(upper)),
         }
     }
+}
+
+/// The root at an end of the phase range, where it may be a fraction: the simplest fraction within a
+/// narrow enclosure is tried. A multiple root, which Newton's method does not enclose, goes to Sturm.
+fn fraction_or_root(
+    coefficients: Vec<BigInt>,
+    guess: f64,
+    from: &Rational,
+    to: &Rational,
+) -> Option<RealRoot> {
+    let narrow = newton_root(&coefficients, guess, FRACTION_BITS);
+    let exact = Polynomial::new(coefficients.into_iter().map(Rational::from).collect());
+    if exact.degree() == Some(1) {
+        let value = -exact.coefficient(0) / exact.coefficient(1);
+        return Some(RealRoot { lower: value.clone(), upper: value });
+    }
+    match narrow {
+        Some(root) => {
+            let simplest = simplest_between(&root.lower, &root.upper);
+            let is_root = exact.evaluate(&simplest).is_zero();
+            Some(if is_root { RealRoot { lower: simplest.clone(), upper: simplest } } else { root })
+        }
+        None => real_roots(&exact, from, to, ROOT_BITS).into_iter().min_by(|a, b| {
+            let distance = |root: &RealRoot| (to_f64(&root.lower) - guess).abs();
+            distance(a).total_cmp(&distance(b))
+        }),
+    }
+}
+
+/// A simple root near a positive guess by Newton's method in integer fixed point, enclosed to
+/// [`ROOT_BITS`] and verified by the signs of the exact polynomial at both ends. (The coefficients have
+/// thousands of digits; fractions and Sturm's chain on them cost a thousand times as much.)
+fn newton_root(coefficients: &[BigInt], guess: f64, bits: u32) -> Option<RealRoot> {
+    // Unit of t: about 2^−3·ROOT_BITS of its size. Coefficients keep as many bits below the largest.
+    let digits = 3 * i64::from(bits);
+    let shift = digits - guess.log2().ceil() as i64;
+    let largest = coefficients.iter().map(|value| value.bits() as i64).max()?;
+    let cut = (largest - 2 * digits).max(0) as u64;
+    let rounded: Vec<BigInt> = coefficients.iter().map(|value| value >> cut).collect();
+    let unit =
+        |value: BigInt| if shift >= 0 { value >> shift as u64 } else { value << (-shift) as u64 };
+    let mut root = (from_f64(guess)? * power_of_two(shift)).to_integer();
+    for _ in 0..NEWTON_STEPS {
+        let (mut value, mut slope) = (BigInt::zero(), BigInt::zero());
+        for coefficient in rounded.iter().rev() {
+            slope = unit(slope * &root) + &value;
+            value = unit(value * &root) + coefficient;
+        }
+        if slope.is_zero() {
+            return None;
+        }
+        let step = if shift >= 0 { value << shift as u64 } else { value >> (-shift) as u64 };
+        root -= step / slope;
+    }
+    let margin: BigInt = root.abs() >> u64::from(bits);
+    // Ends with few digits keep the exact evaluations cheap.
+    let coarse = (i64::from(bits) - 8).max(0) as u64;
+    let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
+    let scale = shift - coarse as i64;
+    let sign = |end: &BigInt| {
+        let (power, exponent) = if scale >= 0 { (scale as u64, 0) } else { (0, (-scale) as u64) };
+        let end = end << exponent;
+        // Homogeneous in (end, 2^power): only the sign counts.
+        let mut weight = 0;
+        let value = coefficients.iter().rev().fold(BigInt::zero(), |sum, coefficient| {
+            let next = sum * &end + (coefficient << weight);
+            weight += power;
+            next
+        });
+        value.sign()
+    };
+    (sign(&lower) != sign(&upper)).then(|| RealRoot {
+        lower: Rational::from(lower) * power_of_two(-scale),
+        upper: Rational::from(upper) * power_of_two(-scale),
+    })
+}
+
+fn power_of_two(exponent: i64) -> Rational {
+    let magnitude = Rational::from(BigInt::one() << exponent.unsigned_abs());
+    if exponent < 0 { magnitude.recip() } else { magnitude }
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.

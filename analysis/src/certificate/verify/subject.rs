@@ -99,17 +99,15 @@ pub(super) fn check(subject: &Subject, symbol: &CertifiedSymbol) -> Result<(), C
 }
 
 /// `[w_1, …]` and `[v_0, v_1, …]`.
-fn weights(
-    kernel: &str,
-    l: &Rational,
-) -> Result<(Vec<Weight>, Vec<Weight>), CertificateError> {
+fn weights(kernel: &str, l: &Rational) -> Result<(Vec<Weight>, Vec<Weight>), CertificateError> {
     ensure(l.is_positive() && *l <= integer(50), "the smoothing ratio is not in (0, 50]")?;
     let terms = truncated_powers(kernel);
     let support = match &terms {
         Some(terms) => terms.iter().map(|(_, knot, _)| knot.clone()).max(),
         None => (kernel == "gaussian").then(|| integer(3)),
     };
-    let support = support.ok_or_else(|| CertificateError(format!("there is no kernel `{kernel}`")))?;
+    let support =
+        support.ok_or_else(|| CertificateError(format!("there is no kernel `{kernel}`")))?;
     let reach = (support * l).floor().to_integer().to_i64().unwrap_or(0);
     let (mut gradient, mut curvature) = (Vec::new(), Vec::new());
     for k in 0..=reach {

@@ -1,0 +1,88 @@
+//! Ferrari, Dumbser, Toro & Armanini 2008: "A new stable version of the SPH method in Lagrangian
+//! coordinates", Communications in Computational Physics 4, 378–404. Section 2 regenerated.
+
+mod figure_1;
+mod table_1;
+
+pub use figure_1::{figure_1, figure_1_plan};
+pub use table_1::{Entry, LimitKind, PublishedValue, Table1, published_values, recipe};
+
+use crate::CatalogueItem;
+use crate::page::{Item, Section};
+use courant_analysis::sweep::{Progress, SweepError};
+
+/// How much of the report to make.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// Everything, at full resolution.
+    Full,
+    /// A coarse grid: for a quick look and for tests.
+    Quick,
+}
+
+/// The command that makes this report.
+pub const COMMAND: &str = "courant report ferrari2008";
+
+/// What this report shows.
+pub const CATALOGUE: &[CatalogueItem] = &[
+    CatalogueItem {
+        name: "table_1_exact",
+        description: "largest stable and monotone Courant number, exact",
+        source: "Ferrari et al. 2008, Table 1",
+    },
+    CatalogueItem {
+        name: "table_1_published",
+        description: "the same as printed, and the recipe that reproduces it",
+        source: "Ferrari et al. 2008, Table 1",
+    },
+    CatalogueItem {
+        name: "table_1_difference",
+        description: "printed against exact, and the growth at the printed values",
+        source: "Ferrari et al. 2008, Table 1",
+    },
+    CatalogueItem {
+        name: "figure_1",
+        description: "amplification factor over the (l/Δξ, C) plane",
+        source: "Ferrari et al. 2008, Figure 1",
+    },
+];
+
+/// Why the report has no result.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A sweep stopped.
+    #[error(transparent)]
+    Sweep(#[from] SweepError),
+    /// A figure could not be composed.
+    #[error(transparent)]
+    Figure(#[from] crate::figure::FigureError),
+}
+
+/// The sections of the report.
+///
+/// # Errors
+/// When the callback stops a sweep.
+pub fn sections(
+    table: &Table1,
+    detail: Detail,
+    progress: Progress<'_>,
+) -> Result<Vec<Section>, ReportError> {
+    let mut items = vec![Item::Paragraph(table.explanation())];
+    for (name, table) in [
+        ("table_1_exact", table.exact_table()),
+        ("table_1_published", table.published_table()),
+        ("table_1_difference", table.difference_table()),
+    ] {
+        items.push(Item::Table { name: name.into(), table, command: COMMAND.into() });
+    }
+    Ok(vec![
+        Section {
+            title: "Table 1: largest stable and largest monotone Courant number".into(),
+            items,
+        },
+        Section {
+            title: "Figure 1: amplification over the (l/Δξ, C) plane".into(),
+            items: vec![figure_1(detail, progress)?],
+        },
+    ])
+}

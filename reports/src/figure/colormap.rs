@@ -1,0 +1,233 @@
+//! Colour scales: from values to colours, in discrete bands.
+
+use super::{color::Color, error::FigureError};
+
+/// A continuous, colour-blind-safe sequence of colours over 0..=1, linear in sRGB between equidistant control colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ColorMap {
+    /// Dark violet to yellow, perceptually uniform (van der Walt & Smith 2015).
+    Viridis,
+    /// Dark blue to yellow, the same for all common colour visions (Nuñez et al. 2018).
+    Cividis,
+    /// Near-white to dark blue: the lower half of a two-sided scale, away from the break.
+    Blues,
+    /// Near-white over orange to dark red: the upper half of a two-sided scale, away from the break.
+    Reds,
+}
+
+const VIRIDIS: [Color; 9] = [
+    Color::rgb(68, 1, 84),
+    Color::rgb(71, 45, 123),
+    Color::rgb(59, 82, 139),
+    Color::rgb(44, 114, 142),
+    Color::rgb(33, 145, 140),
+    Color::rgb(40, 174, 128),
+    Color::rgb(94, 201, 98),
+    Color::rgb(173, 220, 48),
+    Color::rgb(253, 231, 37),
+];
+const CIVIDIS: [Color; 6] = [
+    Color::rgb(0, 32, 77),
+    Color::rgb(49, 68, 107),
+    Color::rgb(102, 105, 112),
+    Color::rgb(149, 143, 120),
+    Color::rgb(203, 186, 105),
+    Color::rgb(255, 234, 70),
+];
+const BLUES: [Color; 5] = [
+    Color::rgb(247, 249, 251),
+    Color::rgb(203, 225, 239),
+    Color::rgb(134, 187, 218),
+    Color::rgb(58, 131, 185),
+    Color::rgb(20, 72, 128),
+];
+const REDS: [Color; 5] = [
+    Color::rgb(251, 248, 246),
+    Color::rgb(253, 217, 184),
+    Color::rgb(247, 165, 106),
+    Color::rgb(214, 86, 52),
+    Color::rgb(137, 22, 28),
+];
+
+impl ColorMap {
+    /// The colour at `t` in 0..=1; values outside are clamped.
+    pub fn at(self, t: f64) -> Color {
+        let stops: &[Color] = match self {
+            ColorMap::Viridis => &VIRIDIS,
+            ColorMap::Cividis => &CIVIDIS,
+            ColorMap::Blues => &BLUES,
+            ColorMap::Reds => &REDS,
+        };
+        let s = t.clamp(0.0, 1.0) * (stops.len() - 1) as f64;
+        let i = (s as usize).min(stops.len() - 2);
+        stops[i].mix(stops[i + 1], s - i as f64)
+    }
+}
+
+/// Values cut into bands, each with its colour: what filled contours and their colour bar share.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bands {
+    edges: Vec<f64>,
+    colors: Vec<Color>,
+    below: Option<Color>,
+    above: Option<Color>,
+    emphasis: Option<f64>,
+}
+
+impl Bands {
+    /// Bands `edges[k] <= v < edges[k+1]` (the last one closed) in the colour `colors[k]`. Values outside stay blank.
+    ///
+    /// # Errors
+    /// If there are fewer than two edges, they do not increase, or there is not one colour per band.
+    pub fn new(edges: Vec<f64>, colors: Vec<Color>) -> Result<Bands, FigureError> {
+        if edges.len() < 2 || !super::contour::strictly_increasing(&edges) {
+            return Err(FigureError::NotIncreasing { what: "band edges (at least two)" });
+        }
+        if colors.len() + 1 != edges.len() {
+            return Err(FigureError::BandColors { edges: edges.len(), colors: colors.len() });
+        }
+        Ok(Bands { edges, colors, below: None, above: None, emphasis: None })
+    }
+
+    /// Bands in colours taken at equal steps along a map, from its first to its last colour.
+    ///
+    /// # Errors
+    /// As [`Bands::new`].
+    ///
+    /// ```
+    /// use courant_reports::figure::{Bands, ColorMap};
+    /// let bands = Bands::sequential(vec![0.0, 0.5, 1.0], ColorMap::Viridis)?;
+    /// assert_eq!(bands.color_of(0.2), Some(ColorMap::Viridis.at(0.0)));
+    /// assert_eq!(bands.color_of(1.2), None);
+    /// # Ok::<(), courant_reports::figure::FigureError>(())
+    /// ```
+    pub fn sequential(edges: Vec<f64>, map: ColorMap) -> Result<Bands, FigureError> {
+        let n = edges.len().saturating_sub(1);
+        let step = 1.0 / (n.max(2) - 1) as f64;
+        let colors = (0..n).map(|k| map.at(k as f64 * step)).collect();
+        Bands::new(edges, colors)
+    }
+
+    /// Bands in blue below `at` and orange to red above it, palest at the break: for quantities with a meaningful
+    /// threshold, as |g| = 1. Colours count bands from the break, so both sides are used fully whatever the edges.
+    ///
+    /// # Errors
+    /// As [`Bands::new`], or if `at` is not one of the edges.
+    pub fn two_sided(edges: Vec<f64>, at: f64) -> Result<Bands, FigureError> {
+        let split = edges.iter().position(|&e| e == at).ok_or(FigureError::BreakNotAnEdge(at))?;
+        let (low, high) = (split, edges.len() - 1 - split);
+        // Band centres: the palest band is tinted, so that the two sides of the break differ.
+        let side = |map: ColorMap, k: usize, n: usize| map.at((k as f64 + 0.6) / (n as f64 + 0.1));
+        let colors = (0..low)
+            .rev()
+            .map(|k| side(ColorMap::Blues, k, low))
+            .chain((0..high).map(|k| side(ColorMap::Reds, k, high)))
+            .collect();
+        let mut bands = Bands::new(edges, colors)?;
+        bands.emphasis = Some(at);
+        Ok(bands)
+    }
+
+    /// Paints values below the first edge too; the colour bar shows a pointed end.
+    pub fn extend_below(mut self, color: Color) -> Bands {
+        self.below = Some(color);
+        self
+    }
+
+    /// Paints values above the last edge too; the colour bar shows a pointed end.
+    pub fn extend_above(mut self, color: Color) -> Bands {
+        self.above = Some(color);
+        self
+    }
+
+    /// The band edges.
+    pub fn edges(&self) -> &[f64] {
+        &self.edges
+    }
+
+    /// The colours of the bands, one fewer than the edges.
+    pub fn colors(&self) -> &[Color] {
+        &self.colors
+    }
+
+    /// The colour of values below the first edge, if they are painted.
+    pub fn below(&self) -> Option<Color> {
+        self.below
+    }
+
+    /// The colour of values above the last edge, if they are painted.
+    pub fn above(&self) -> Option<Color> {
+        self.above
+    }
+
+    /// The break of a two-sided scale: its edge is always labelled.
+    pub fn emphasis(&self) -> Option<f64> {
+        self.emphasis
+    }
+
+    /// The colour of one value; `None` if it stays blank.
+    pub fn color_of(&self, value: f64) -> Option<Color> {
+        let last = self.edges.len() - 1;
+        if value.is_nan() {
+            None
+        } else if value < self.edges[0] {
+            self.below
+        } else if value > self.edges[last] {
+            self.above
+        } else {
+            let k = self.edges.partition_point(|&e| e <= value);
+            Some(self.colors[k.clamp(1, last) - 1])
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sequential_maps_grow_lighter() {
+        for map in [ColorMap::Viridis, ColorMap::Cividis] {
+            let l: Vec<f64> = (0..=64).map(|i| map.at(f64::from(i) / 64.0).lightness()).collect();
+            assert!(l.windows(2).all(|w| w[1] > w[0]), "{map:?} {l:?}");
+            assert!(l[0] < 20.0 && l[64] > 88.0);
+        }
+    }
+
+    #[test]
+    fn perceived_steps_of_viridis_are_even() {
+        // L* of the original map is linear; nine control colours keep it within 2 units.
+        let (a, b) = (ColorMap::Viridis.at(0.0).lightness(), ColorMap::Viridis.at(1.0).lightness());
+        for i in 0..=64 {
+            let t = f64::from(i) / 64.0;
+            assert!((ColorMap::Viridis.at(t).lightness() - (a + t * (b - a))).abs() < 2.0);
+        }
+    }
+
+    #[test]
+    fn two_sided_breaks_exactly_at_the_value() {
+        let bands = Bands::two_sided(vec![0.0, 0.5, 0.9, 1.0, 1.1, 2.0], 1.0).unwrap();
+        let below = bands.color_of(1f64.next_down()).unwrap();
+        let above = bands.color_of(1.0).unwrap();
+        assert!(below.blue > below.red, "{below:?}");
+        assert!(above.red > above.blue, "{above:?}");
+        assert!(below.lightness() > 80.0 && above.lightness() > 80.0);
+        let l: Vec<f64> = bands.colors().iter().map(|c| c.lightness()).collect();
+        assert!(l[0] < l[1] && l[1] < l[2] && l[3] > l[4], "{l:?}");
+        assert!(matches!(
+            Bands::two_sided(vec![0.0, 2.0], 1.0),
+            Err(FigureError::BreakNotAnEdge(_))
+        ));
+    }
+
+    #[test]
+    fn bands_are_half_open_and_the_last_is_closed() {
+        let bands = Bands::sequential(vec![0.0, 1.0, 2.0], ColorMap::Cividis).unwrap();
+        assert_eq!(bands.color_of(1.0), Some(bands.colors()[1]));
+        assert_eq!(bands.color_of(2.0), Some(bands.colors()[1]));
+        assert_eq!(bands.color_of(-0.1), None);
+        assert_eq!(bands.color_of(f64::NAN), None);
+        assert!(Bands::sequential(vec![0.0, 0.0], ColorMap::Cividis).is_err());
+        assert!(Bands::new(vec![0.0, 1.0], vec![]).is_err());
+    }
+}

@@ -1,0 +1,43 @@
+//! Numbers as people read them.
+
+/// A number with a fixed count of significant digits, in scientific notation when it is very small or
+/// very large.
+///
+/// ```
+/// use courant_reports::number::significant;
+/// assert_eq!(significant(1.17295910, 6), "1.17296");
+/// assert_eq!(significant(1.2e-7, 3), "1.20e-7");
+/// assert_eq!(significant(f64::INFINITY, 3), "∞");
+/// ```
+pub fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if value.is_nan() {
+        return "–".into();
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { "∞".into() } else { "-∞".into() };
+    }
+    let exponent = value.abs().log10().floor() as i32;
+    if (-4..digits as i32 + 3).contains(&exponent) {
+        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.*e}", digits - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::significant;
+
+    #[test]
+    fn digits_are_significant_ones() {
+        assert_eq!(significant(0.0123456, 3), "0.0123");
+        assert_eq!(significant(123456.0, 3), "123456");
+        assert_eq!(significant(1234567.0, 3), "1.23e6");
+        assert_eq!(significant(-2.5, 2), "-2.5");
+        assert_eq!(significant(0.0, 4), "0");
+    }
+}

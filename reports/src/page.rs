@@ -1,0 +1,224 @@
+//! A report: sections of tables and figures, written as `index.html` and `index.md` with every file
+//! they show.
+
+use crate::figure::{Figure, FigureError};
+use crate::publish::{OutputDirectory, PublishError};
+use crate::table::{Table, html_text};
+
+/// One thing a report shows.
+#[derive(Debug, Clone)]
+pub enum Item {
+    /// Text.
+    Paragraph(String),
+    /// A table; written as CSV, LaTeX and Markdown beside the page.
+    Table {
+        /// The file name without extension.
+        name: String,
+        /// The table.
+        table: Table,
+        /// The command that makes it again.
+        command: String,
+    },
+    /// A figure; written as PNG and SVG beside the page.
+    Figure {
+        /// The file name without extension.
+        name: String,
+        /// The picture.
+        figure: Box<Figure>,
+        /// What is seen.
+        caption: String,
+        /// The data behind it: file names with their contents.
+        data: Vec<(String, Vec<u8>)>,
+        /// The command that makes it again.
+        command: String,
+    },
+}
+
+/// A titled part of a report.
+#[derive(Debug, Clone)]
+pub struct Section {
+    /// The heading.
+    pub title: String,
+    /// What it shows.
+    pub items: Vec<Item>,
+}
+
+/// A whole report.
+#[derive(Debug, Clone)]
+pub struct Page {
+    /// The heading of the page.
+    pub title: String,
+    /// The sections in order.
+    pub sections: Vec<Section>,
+}
+
+/// Why a report could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum PageError {
+    /// A picture could not be drawn.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+    /// A file could not be written.
+    #[error(transparent)]
+    Publish(#[from] PublishError),
+}
+
+const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1a1a1a}\
+h1{font-size:1.7rem}h2{font-size:1.3rem;margin-top:2.5rem;border-bottom:1px solid #ccc}\
+table{border-collapse:collapse;margin:.5rem 0;font-variant-numeric:tabular-nums}\
+th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid #e2e2e2}th{border-bottom:2px solid #555}\
+.number{text-align:right}img{max-width:100%;height:auto}figure{margin:1rem 0}\
+figcaption,.caption{color:#333}code{background:#f3f3f3;padding:.1rem .3rem;border-radius:3px}.files{font-size:.9rem;color:#555}";
+
+impl Page {
+    /// Writes every table and figure and the two index pages; returns how many files there are.
+    ///
+    /// The index pages come last, so that they never name a file that is not there.
+    ///
+    /// # Errors
+    /// When a figure cannot be drawn or a file cannot be written.
+    pub fn write(&self, output: &OutputDirectory) -> Result<usize, PageError> {
+        let mut files = 0;
+        let mut write = |name: &str, bytes: &[u8]| -> Result<(), PublishError> {
+            files += 1;
+            output.write(name, bytes).map(drop)
+        };
+        for item in self.sections.iter().flat_map(|section| &section.items) {
+            match item {
+                Item::Paragraph(_) => {}
+                Item::Table { name, table, .. } => {
+                    write(&format!("{name}.csv"), table.to_csv().as_bytes())?;
+                    write(&format!("{name}.tex"), table.to_latex().as_bytes())?;
+                    write(&format!("{name}.md"), table.to_markdown().as_bytes())?;
+                }
+                Item::Figure { name, figure, data, .. } => {
+                    write(&format!("{name}.png"), &figure.png()?)?;
+                    write(&format!("{name}.svg"), figure.svg()?.as_bytes())?;
+                    for (file, bytes) in data {
+                        write(file, bytes)?;
+                    }
+                }
+            }
+        }
+        write("index.md", self.to_markdown().as_bytes())?;
+        write("index.html", self.to_html().as_bytes())?;
+        Ok(files)
+    }
+
+    /// The page as Markdown.
+    pub fn to_markdown(&self) -> String {
+        let mut text = format!("# {}\n", self.title);
+        for section in &self.sections {
+            text.push_str(&format!("\n## {}\n", section.title));
+            for item in &section.items {
+                let block = match item {
+                    Item::Paragraph(paragraph) => format!("{paragraph}\n"),
+                    Item::Table { name, table, command } => format!(
+                        "**{}**\n\n{}\nData: [CSV]({name}.csv), [LaTeX]({name}.tex). Made by `{command}`.\n",
+                        table.caption(),
+                        table.to_markdown()
+                    ),
+                    Item::Figure { name, caption, data, command, .. } => format!(
+                        "![{caption}]({name}.png)\n\n{caption}\n\n{}. Made by `{command}`.\n",
+                        links(name, data)
+                            .map(|(label, file)| format!("[{label}]({file})"))
+                            .collect::<Vec<_>>()
+                            .join(", ")
+                    ),
+                };
+                text.push('\n');
+                text.push_str(&block);
+            }
+        }
+        text
+    }
+
+    /// The page as HTML.
+    pub fn to_html(&self) -> String {
+        let title = html_text(&self.title);
+        let mut text = format!(
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+        );
+        for section in &self.sections {
+            text.push_str(&format!("<h2>{}</h2>\n", html_text(&section.title)));
+            for item in &section.items {
+                text.push_str(&match item {
+                    Item::Paragraph(paragraph) => format!("<p>{}</p>\n", html_text(paragraph)),
+                    Item::Table { name, table, command } => format!(
+                        "<p class=\"caption\"><strong>{}</strong></p>\n{}<p class=\"files\">Data: \
+                         <a href=\"{name}.csv\">CSV</a>, <a href=\"{name}.tex\">LaTeX</a>. Made by <code>{}</code>.</p>\n",
+                        html_text(table.caption()),
+                        table.to_html(),
+                        html_text(command)
+                    ),
+                    Item::Figure { name, caption, data, command, .. } => format!(
+                        "<figure>\n<a href=\"{name}.svg\"><img src=\"{name}.png\" alt=\"{0}\"></a>\n\
+                         <figcaption>{0}</figcaption>\n<p class=\"files\">{1}. Made by <code>{2}</code>.</p>\n</figure>\n",
+                        html_text(caption),
+                        links(name, data)
+                            .map(|(label, file)| format!("<a href=\"{file}\">{label}</a>"))
+                            .collect::<Vec<_>>()
+                            .join(", "),
+                        html_text(command)
+                    ),
+                });
+            }
+        }
+        text.push_str("</body>\n</html>\n");
+        text
+    }
+}
+
+/// Labels and files of a figure: the picture in both formats, then its data.
+fn links<'a>(
+    name: &'a str,
+    data: &'a [(String, Vec<u8>)],
+) -> impl Iterator<Item = (String, String)> + 'a {
+    let pictures = [("PNG", "png"), ("SVG", "svg")]
+        .map(|(label, end)| (label.into(), format!("{name}.{end}")));
+    pictures.into_iter().chain(data.iter().map(|(file, _)| (file.clone(), file.clone())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::{Axis, Line, Panel};
+    use crate::table::Align;
+
+    #[test]
+    fn every_file_a_page_links_to_is_written() {
+        let mut table = Table::new("T", &[("a", Align::Left)]);
+        table.push(["x < y"]);
+        let panel = Panel::new(Axis::linear("x"), Axis::linear("y"))
+            .layer(Line::new([(0.0, 0.0), (1.0, 1.0)]));
+        let page = Page {
+            title: "A & B".into(),
+            sections: vec![Section {
+                title: "S".into(),
+                items: vec![
+                    Item::Paragraph("text".into()),
+                    Item::Table { name: "t".into(), table, command: "courant x".into() },
+                    Item::Figure {
+                        name: "f".into(),
+                        figure: Box::new(Figure::single(panel)),
+                        caption: "c".into(),
+                        data: vec![("f.csv".into(), b"1\n".to_vec())],
+                        command: "courant y".into(),
+                    },
+                ],
+            }],
+        };
+        let place = tempfile::tempdir().unwrap();
+        let count = page.write(&OutputDirectory::open(place.path()).unwrap()).unwrap();
+        assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), count);
+        let html = std::fs::read_to_string(place.path().join("index.html")).unwrap();
+        assert!(html.contains("A &amp; B") && html.contains("x &lt; y"));
+        for link in html.split("href=\"").chain(html.split("src=\"")).skip(1) {
+            if let Some((file, _)) = link.split_once('"').filter(|(file, _)| !file.contains('<')) {
+                assert!(place.path().join(file).exists(), "{file}");
+            }
+        }
+    }
+}

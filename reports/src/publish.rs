@@ -1,0 +1,112 @@
+//! Writing files so that they appear whole or not at all.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Why a file could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write `{}`: {source}", path.display())]
+pub struct PublishError {
+    /// The file or directory.
+    pub path: PathBuf,
+    /// What the system said.
+    pub source: std::io::Error,
+}
+
+/// A directory that accepts files.
+///
+/// ```
+/// use courant_reports::publish::OutputDirectory;
+/// let place = tempfile::tempdir()?;
+/// let output = OutputDirectory::open(&place.path().join("out"))?;
+/// let path = output.write("table.csv", b"a,b\n")?;
+/// assert_eq!(std::fs::read(path)?, b"a,b\n");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct OutputDirectory {
+    path: PathBuf,
+}
+
+impl OutputDirectory {
+    /// Creates the directory if it is not there and checks that files can be made in it, before any
+    /// work is done.
+    ///
+    /// # Errors
+    /// When the directory cannot be made or does not accept files.
+    pub fn open(path: &Path) -> Result<Self, PublishError> {
+        let failed = |source| PublishError { path: path.to_owned(), source };
+        std::fs::create_dir_all(path).map_err(failed)?;
+        tempfile::NamedTempFile::new_in(path).map_err(failed)?;
+        Ok(Self { path: path.to_owned() })
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes a file beside its place and moves it there when it is complete.
+    ///
+    /// # Errors
+    /// When the file system refuses.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, PublishError> {
+        let path = self.path.join(name);
+        write_whole(&path, bytes)?;
+        Ok(path)
+    }
+}
+
+/// Writes one file whole or not at all.
+///
+/// # Errors
+/// When the file system refuses.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PublishError> {
+    let failed = |source| PublishError { path: path.to_owned(), source };
+    let directory = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut file = tempfile::NamedTempFile::new_in(directory).map_err(failed)?;
+    file.write_all(bytes).map_err(failed)?;
+    make_readable(file.as_file()).map_err(failed)?;
+    file.persist(path).map_err(|error| failed(error.error))?;
+    Ok(())
+}
+
+/// Temporary files are private; results are not.
+#[cfg(unix)]
+fn make_readable(file: &std::fs::File) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.set_permissions(std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn make_readable(_file: &std::fs::File) -> std::io::Result<()> {
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_in_the_way_of_the_directory_is_an_error_and_leaves_nothing() {
+        let place = tempfile::tempdir().unwrap();
+        let file = place.path().join("file");
+        std::fs::write(&file, "x").unwrap();
+        let error = OutputDirectory::open(&file.join("below")).unwrap_err();
+        assert!(error.to_string().contains("below"), "{error}");
+        assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn writing_replaces_and_leaves_no_temporary_file() {
+        let place = tempfile::tempdir().unwrap();
+        let output = OutputDirectory::open(place.path()).unwrap();
+        output.write("a", b"old").unwrap();
+        output.write("a", b"new").unwrap();
+        assert_eq!(std::fs::read(place.path().join("a")).unwrap(), b"new");
+        assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 1);
+    }
+}

@@ -1,0 +1,249 @@
+//! Results as the JSON objects that scripts rely on. The keys are a contract: add, do not rename.
+
+use crate::number::significant;
+use courant_analysis::consistency::consistency;
+use courant_analysis::limit::{Evidence, Limit, StableSet};
+use courant_analysis::rational::{to_f64, to_latex, to_text};
+use courant_analysis::scheme::{Discretisation, Scheme};
+use courant_analysis::verdict::Check;
+use serde::Serialize;
+
+/// A limit. A number that is not finite is `null`, and `reason` says why.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LimitRecord {
+    /// The best single number.
+    pub value: Option<f64>,
+    /// The property holds from 0 up to here.
+    pub lower: f64,
+    /// The property is lost above here.
+    pub upper: Option<f64>,
+    /// A fraction or square root, as text.
+    pub exact: Option<String>,
+    /// `proved`, `enclosed` or `sampled`.
+    pub evidence: &'static str,
+    /// How many phases a sampled limit looked at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub phases: Option<usize>,
+    /// The phase that binds, in radians.
+    pub critical_phase: Option<f64>,
+    /// `long-wave`, `interior` or `shortest-wave`.
+    pub cause: Option<&'static str>,
+    /// For monotonicity: the offset of the coefficient that turns negative.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub binding_offset: Option<i64>,
+    /// Why the value is `null`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+impl From<&Limit> for LimitRecord {
+    fn from(limit: &Limit) -> Self {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        let unlimited = limit.value().is_infinite();
+        Self {
+            value: finite(limit.value()),
+            lower: limit.lower(),
+            upper: finite(limit.upper()),
+            exact: limit.exact().map(ToString::to_string),
+            evidence: limit.evidence().name(),
+            phases: match limit.evidence() {
+                Evidence::Sampled { phases } => Some(phases),
+                Evidence::Proved | Evidence::Enclosed => None,
+            },
+            critical_phase: limit.critical_phase(),
+            cause: limit.cause().map(|cause| cause.name()),
+            binding_offset: limit.binding_offset(),
+            reason: unlimited
+                .then(|| format!("no limit up to C = {}", significant(limit.lower(), 6))),
+        }
+    }
+}
+
+/// One stable interval of Courant numbers; `to` is `null` where it goes on beyond the range.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct IntervalRecord {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: Option<f64>,
+}
+
+/// A growth budget and the limit it allows.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GrowthRecord {
+    /// The permitted growth per step.
+    pub growth: f64,
+    /// The largest Courant number up to which `|g| ≤ 1 + growth`.
+    pub value: Option<f64>,
+    /// The enclosure.
+    pub limit: LimitRecord,
+}
+
+/// One row of `limits`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LimitsRow {
+    /// The scheme's name.
+    pub scheme: String,
+    /// The kernel's name.
+    pub kernel: String,
+    /// The smoothing ratio, exactly.
+    pub ratio: String,
+    /// `|g| ≤ 1`.
+    pub stability: LimitRecord,
+    /// All stable intervals in the range.
+    pub stable_set: Vec<IntervalRecord>,
+    /// Intervals that could not be decided.
+    pub undecided: Vec<IntervalRecord>,
+    /// All coefficients non-negative.
+    pub monotonicity: LimitRecord,
+    /// Limits for the growth budgets asked for.
+    pub growth_limits: Vec<GrowthRecord>,
+    /// Whether `g(0) = 1` at every Courant number.
+    pub keeps_constants: bool,
+}
+
+/// The stable intervals of a set.
+pub fn intervals(set: &StableSet) -> Vec<IntervalRecord> {
+    let finite = |value: f64| value.is_finite().then_some(value);
+    set.intervals
+        .iter()
+        .map(|interval| IntervalRecord {
+            from: interval.from.value(),
+            to: finite(interval.to.value()),
+        })
+        .collect()
+}
+
+/// What could not be decided.
+pub fn undecided(set: &StableSet) -> Vec<IntervalRecord> {
+    set.undecided.iter().map(|&(from, to)| IntervalRecord { from, to: Some(to) }).collect()
+}
+
+/// The answer of `check`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CheckRecord {
+    /// The scheme's name.
+    pub scheme: String,
+    /// The kernel's name.
+    pub kernel: String,
+    /// The smoothing ratio, exactly.
+    pub ratio: String,
+    /// The Courant number, rounded.
+    pub cfl: f64,
+    /// `stable`, `marginal`, `weakly-unstable` or `unstable`.
+    pub verdict: &'static str,
+    /// Whether all coefficients are non-negative.
+    pub monotone: bool,
+    /// The largest `|g|` over all phases.
+    pub max_gain: f64,
+    /// The phase of the wave that grows, or of the one that binds the limit, in radians.
+    pub critical_phase: Option<f64>,
+    /// `max |g| − 1`.
+    pub growth_per_step: f64,
+    /// Steps until the fastest wave has doubled.
+    pub steps_to_double: Option<f64>,
+    /// The stability limit.
+    pub stability: LimitRecord,
+    /// The monotonicity limit.
+    pub monotonicity: LimitRecord,
+}
+
+impl CheckRecord {
+    /// The record of a check of this discretisation.
+    pub fn new(discretisation: &Discretisation, cfl: f64, check: &Check) -> Self {
+        Self {
+            scheme: discretisation.scheme().name().into(),
+            kernel: discretisation.kernel().name().into(),
+            ratio: to_text(discretisation.ratio()),
+            cfl,
+            verdict: check.verdict.name(),
+            monotone: check.monotone,
+            max_gain: 1.0 + check.strongest.growth,
+            critical_phase: check.critical_phase(),
+            growth_per_step: check.strongest.growth,
+            steps_to_double: check.steps_to_double,
+            stability: (&check.stable_set.limit()).into(),
+            monotonicity: (&check.monotonicity).into(),
+        }
+    }
+}
+
+/// One coefficient of a scheme: a polynomial in `C`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CoefficientRecord {
+    /// The neighbour's offset.
+    pub offset: i64,
+    /// `[c0, c1, …]` in powers of `C`: exact fractions, or decimals where the data are not rational.
+    pub polynomial: Vec<String>,
+}
+
+/// The answer of `symbol`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SymbolRecord {
+    /// The scheme's name.
+    pub scheme: String,
+    /// The kernel's name.
+    pub kernel: String,
+    /// The smoothing ratio, exactly.
+    pub ratio: String,
+    /// The stencil.
+    pub coefficients: Vec<CoefficientRecord>,
+    /// Whether the coefficients are exact.
+    pub exact: bool,
+    /// The amplification factor as plain text.
+    pub text: String,
+    /// The amplification factor as LaTeX.
+    pub latex: String,
+    /// Whether `g(0) = 1` at every Courant number.
+    pub keeps_constants: bool,
+    /// Order of accuracy; `null` when not even constants are kept, 0 when long waves have a wrong speed.
+    pub order: Option<u32>,
+    /// Speed of long waves over the true speed.
+    pub long_wave_speed: f64,
+}
+
+impl SymbolRecord {
+    /// The record of a discretisation's symbol.
+    pub fn new(discretisation: &Discretisation) -> Self {
+        let symbol = discretisation.symbol();
+        let found = consistency(&symbol);
+        let (low, high) = symbol.center().reach().unwrap_or((0, 0));
+        let coefficients =
+            (low..=high)
+                .map(|offset| CoefficientRecord {
+                    offset,
+                    polynomial: symbol
+                        .center()
+                        .coefficient(offset)
+                        .coefficients()
+                        .iter()
+                        .map(|value| {
+                            if symbol.is_exact() {
+                                to_text(value)
+                            } else {
+                                to_f64(value).to_string()
+                            }
+                        })
+                        .collect(),
+                })
+                .collect();
+        Self {
+            scheme: discretisation.scheme().name().into(),
+            kernel: discretisation.kernel().name().into(),
+            ratio: to_text(discretisation.ratio()),
+            coefficients,
+            exact: symbol.is_exact(),
+            text: symbol.to_text(),
+            latex: symbol.to_latex(),
+            keeps_constants: found.keeps_constants,
+            order: found.order,
+            long_wave_speed: to_f64(&found.speed_ratio),
+        }
+    }
+}
+
+/// LaTeX of a limit's exact form, if it has one.
+pub fn exact_latex(limit: &Limit) -> Option<String> {
+    let fraction = limit.exact().and_then(|exact| exact.as_fraction()).map(to_latex);
+    fraction.or_else(|| limit.exact().map(|exact| exact.to_latex()))
+}

@@ -1,0 +1,273 @@
+//! Maps of the amplification factor over the (smoothing ratio, Courant number) plane.
+
+use crate::figure::{
+    Axis, Bands, Color, ColorBar, Corner, Dash, Field, Figure, FigureError, FilledContours,
+    Isolines, Line, Marker, Markers, Panel, Side,
+};
+use crate::npy;
+use courant_analysis::kernel::Kernel;
+use courant_analysis::limit::{monotonicity_limit, stable_set};
+use courant_analysis::rational::{Rational, integer, ratio, to_f64, to_text};
+use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant_analysis::sweep::{GainMap, Progress, SweepError, gain_map};
+use ndarray::Array2;
+use num_traits::Zero;
+use rayon::prelude::*;
+
+/// Phases looked at before refinement.
+pub const PHASES: usize = 1000;
+
+/// The growth budget whose limit is drawn beside the strict one: doubling takes 693 steps.
+pub const DRAWN_GROWTH: (i64, i64) = (1, 1000);
+
+/// Bands of `|g|`, with the break between damping and growth exactly at 1.
+const EDGES: [f64; 13] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0];
+
+/// Isolines that carry numbers.
+const LEVELS: [f64; 7] = [0.2, 0.4, 0.6, 0.8, 1.25, 2.0, 5.0];
+
+/// What is mapped.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapPlan {
+    /// The scheme.
+    pub scheme: AdvectionScheme,
+    /// The kernel.
+    pub kernel: Kernel,
+    /// The smoothing ratios, ascending.
+    pub ratios: Vec<Rational>,
+    /// The Courant numbers, ascending.
+    pub courant_numbers: Vec<Rational>,
+}
+
+/// A limit curve point: the ratio and the Courant number.
+pub type CurvePoint = (f64, f64);
+
+/// A computed map with its proved limit curves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilityMap {
+    /// What was mapped.
+    pub plan: MapPlan,
+    /// The extreme gains.
+    pub gains: GainMap,
+    /// The proved stability limit over the ratio.
+    pub stability: Vec<CurvePoint>,
+    /// The proved limit for a growth of 1e-3 per step.
+    pub growth: Vec<CurvePoint>,
+    /// The monotonicity limit over the ratio; empty when there is no positive one.
+    pub monotonicity: Vec<CurvePoint>,
+}
+
+/// Computes a map: the gains on the grid and the limits at every ratio, which are proved and not read
+/// off the grid.
+///
+/// # Errors
+/// When a ratio is out of range or the callback stops the sweep.
+pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityMap, SweepError> {
+    let courant_numbers: Vec<f64> = plan.courant_numbers.iter().map(to_f64).collect();
+    let gains =
+        gain_map(plan.scheme, plan.kernel, &plan.ratios, &courant_numbers, PHASES, progress)?;
+    let budget = ratio(DRAWN_GROWTH.0, DRAWN_GROWTH.1);
+    let limits: Result<Vec<_>, SweepError> = plan
+        .ratios
+        .par_iter()
+        .map(|l| {
+            let symbol = Discretisation::new(plan.scheme, plan.kernel, l.clone())?.symbol();
+            let range = integer(10) + l * integer(4);
+            let at = |growth: &Rational| {
+                (to_f64(l), stable_set(&symbol, growth, &range).limit().value())
+            };
+            let monotonicity = (to_f64(l), monotonicity_limit(&symbol, &range).value());
+            Ok((at(&Rational::zero()), at(&budget), monotonicity))
+        })
+        .collect();
+    let limits = limits?;
+    let monotonicity: Vec<CurvePoint> = limits.iter().map(|row| row.2).collect();
+    let has_monotonicity = monotonicity.iter().any(|point| point.1 > 0.0);
+    Ok(StabilityMap {
+        plan,
+        gains,
+        stability: limits.iter().map(|row| row.0).collect(),
+        growth: limits.iter().map(|row| row.1).collect(),
+        monotonicity: if has_monotonicity { monotonicity } else { Vec::new() },
+    })
+}
+
+impl StabilityMap {
+    /// `max |g|` where a wave grows by more than the drawn budget, and `min |g|`, what is left of the
+    /// most damped wave, where none does; `[ratio, Courant number]`.
+    pub fn extreme_gain(&self) -> Array2<f64> {
+        let budget = DRAWN_GROWTH.0 as f64 / DRAWN_GROWTH.1 as f64;
+        let mut values = self.gains.growth.clone();
+        values.zip_mut_with(&self.gains.lowest_gain, |growth, lowest| {
+            *growth = if *growth > budget { 1.0 + *growth } else { *lowest };
+        });
+        values
+    }
+
+    /// The panel: bands, isolines, limit curves, and published points if there are any.
+    ///
+    /// # Errors
+    /// When the axes have too few points to draw.
+    pub fn panel(&self, title: &str, published: &[PublishedPoint]) -> Result<Panel, FigureError> {
+        let ratios: Vec<f64> = self.plan.ratios.iter().map(to_f64).collect();
+        let courant_numbers: Vec<f64> = self.plan.courant_numbers.iter().map(to_f64).collect();
+        let range = |values: &[f64]| (values[0], values[values.len() - 1]);
+        let ((left, right), (bottom, top)) = (range(&ratios), range(&courant_numbers));
+        let budget = DRAWN_GROWTH.0 as f64 / DRAWN_GROWTH.1 as f64;
+        // Each side of the limit is contoured by itself: a band must not be smeared across the jump.
+        let side = |unstable: bool| {
+            let mut values = if unstable {
+                self.gains.growth.mapv(|growth| 1.0 + growth)
+            } else {
+                self.gains.lowest_gain.clone()
+            };
+            values.zip_mut_with(&self.gains.growth, |value, growth| {
+                if (*growth > budget) != unstable {
+                    *value = f64::NAN;
+                }
+            });
+            Field::new(ratios.clone(), courant_numbers.clone(), values)
+        };
+        let whole = Field::new(ratios.clone(), courant_numbers.clone(), self.extreme_gain())?;
+        let levels = |above: bool| LEVELS.into_iter().filter(move |level| (*level > 1.0) == above);
+        let mut panel = Panel::new(
+            Axis::linear("smoothing ratio l/Δξ").range(left, right),
+            Axis::linear("Courant number C").range(bottom, top),
+        )
+        .title(title)
+        .layer(FilledContours::new(whole, bands()?))
+        .layer(Isolines::new(side(true)?, levels(true)))
+        .layer(Isolines::new(side(false)?, levels(false)));
+        if self.differs_from_budget() {
+            panel = panel.layer(
+                Line::new(self.growth.iter().copied())
+                    .color(Color::BLACK)
+                    .width(1.1)
+                    .dash(Dash::nth(1))
+                    .label("growth 10⁻³ per step"),
+            );
+        }
+        panel = panel.layer(
+            Line::new(self.stability.iter().copied())
+                .color(Color::BLACK)
+                .width(1.8)
+                .label("stability limit, proved"),
+        );
+        if !self.monotonicity.is_empty() {
+            panel = panel.layer(
+                Line::new(self.monotonicity.iter().copied())
+                    .color(Color::BLUE)
+                    .width(1.6)
+                    .dash(Dash::nth(2))
+                    .label("monotonicity limit, proved"),
+            );
+        }
+        for (limit, marker, label) in [
+            (PublishedLimit::Stability, Marker::Circle, "stability, as printed"),
+            (PublishedLimit::Monotonicity, Marker::Square, "monotonicity, as printed"),
+        ] {
+            let points: Vec<CurvePoint> =
+                published.iter().filter(|p| p.limit == limit).map(|p| p.point).collect();
+            if !points.is_empty() {
+                panel = panel
+                    .layer(Markers::new(points, marker).fill(Color::WHITE).size(4.5).label(label));
+            }
+        }
+        Ok(panel)
+    }
+
+    /// Whether the budget's limit is anywhere visibly above the strict one.
+    fn differs_from_budget(&self) -> bool {
+        self.stability.iter().zip(&self.growth).any(|(strict, budget)| budget.1 > strict.1 * 1.02)
+    }
+
+    /// The figure with one panel.
+    ///
+    /// # Errors
+    /// When the axes have too few points to draw.
+    pub fn figure(&self) -> Result<Figure, FigureError> {
+        let title = format!("{}, {}", self.plan.scheme.title(), self.plan.kernel.title());
+        let panel = self.panel(&title, &[])?.legend(Corner::TopLeft);
+        Ok(Figure::single(panel)
+            .size(5.2, 4.0)
+            .color_bar(ColorBar::new(bands()?, COLOR_BAR_LABEL), Side::Right))
+    }
+
+    /// The grid as comma-separated values, a row for each point.
+    pub fn to_csv(&self) -> String {
+        let mut text =
+            String::from("ratio,courant,max_gain,max_gain_phase,min_gain,min_gain_phase\n");
+        for (i, l) in self.plan.ratios.iter().enumerate() {
+            for (j, c) in self.plan.courant_numbers.iter().enumerate() {
+                let at = [i, j];
+                text.push_str(&format!(
+                    "{},{},{},{},{},{}\n",
+                    to_f64(l),
+                    to_f64(c),
+                    1.0 + self.gains.growth[at],
+                    self.gains.growth_phase[at],
+                    self.gains.lowest_gain[at],
+                    self.gains.lowest_gain_phase[at]
+                ));
+            }
+        }
+        text
+    }
+
+    /// The limit curves as comma-separated values.
+    pub fn limits_csv(&self) -> String {
+        let mut text = String::from("ratio,ratio_exact,stability,growth_1e-3,monotonicity\n");
+        for (index, l) in self.plan.ratios.iter().enumerate() {
+            let monotonicity = self.monotonicity.get(index).map_or(0.0, |point| point.1);
+            text.push_str(&format!(
+                "{},{},{},{},{}\n",
+                to_f64(l),
+                to_text(l),
+                self.stability[index].1,
+                self.growth[index].1,
+                monotonicity
+            ));
+        }
+        text
+    }
+
+    /// Every data file of the map: names that begin with `stem`, and contents.
+    pub fn data_files(&self, stem: &str) -> Vec<(String, Vec<u8>)> {
+        vec![
+            (format!("{stem}.csv"), self.to_csv().into_bytes()),
+            (format!("{stem}_limits.csv"), self.limits_csv().into_bytes()),
+            (format!("{stem}_max_gain.npy"), npy::encode(&self.gains.growth.mapv(|g| 1.0 + g))),
+            (format!("{stem}_min_gain.npy"), npy::encode(&self.gains.lowest_gain)),
+        ]
+    }
+}
+
+/// What the colour bar says.
+pub const COLOR_BAR_LABEL: &str =
+    "|g| of the most damped wave where stable (≤ 1), of the fastest growing one where not (> 1)";
+
+/// The bands of the colour bar.
+///
+/// # Errors
+/// Never: the edges ascend and contain 1.
+pub fn bands() -> Result<Bands, FigureError> {
+    Ok(Bands::two_sided(EDGES.to_vec(), 1.0)?.extend_above(Color::rgb(92, 8, 18)))
+}
+
+/// Which limit a published value claims.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PublishedLimit {
+    /// `|g| ≤ 1`.
+    Stability,
+    /// Non-negative coefficients.
+    Monotonicity,
+}
+
+/// A published value to set a map against.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PublishedPoint {
+    /// What it claims.
+    pub limit: PublishedLimit,
+    /// The ratio and the Courant number.
+    pub point: CurvePoint,
+}

@@ -1,0 +1,131 @@
+//! `courant check`.
+
+use super::limits::{binding_wave, default_range};
+use super::output::{Format, print, print_json, table_text};
+use super::{Failure, Outcome, names, numbers};
+use clap::Args;
+use courant::analysis::kernel::Kernel;
+use courant::analysis::limit::Limit;
+use courant::analysis::limit::stable_set;
+use courant::analysis::rational::{Rational, to_f64, to_text};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::analysis::verdict::{Check, Verdict, check};
+use courant::reports::number::significant;
+use courant::reports::record::CheckRecord;
+use courant::reports::table::{Align, Table};
+
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph.
+    #[arg(long, value_parser = names::scheme)]
+    scheme: AdvectionScheme,
+    /// Kernel: see `courant list kernels`.
+    #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
+    kernel: Kernel,
+    /// Smoothing ratio l/Δξ, read exactly: 2, 1.3, 3/2.
+    #[arg(long, value_parser = numbers::ratio)]
+    ratio: Rational,
+    /// Courant number C = a Δt/Δξ, read exactly.
+    #[arg(long, value_parser = numbers::positive)]
+    cfl: Rational,
+    /// Accept growth up to this much per step: the answer is then whether |g| ≤ 1 + growth.
+    #[arg(long, value_parser = numbers::non_negative)]
+    growth: Option<Rational>,
+    /// Format of the output.
+    #[arg(long, value_enum, default_value = "table")]
+    format: Format,
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let discretisation =
+        Discretisation::new(arguments.scheme, arguments.kernel, arguments.ratio.clone())
+            .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
+    let symbol = discretisation.symbol();
+    let range = default_range(&arguments.ratio);
+    let found = check(&symbol, &arguments.cfl, &range);
+    let within_budget = arguments.growth.as_ref().map(|growth| {
+        let range = range.max(&arguments.cfl * Rational::from_integer(2.into()));
+        stable_set(&symbol, growth, &range).contains(&arguments.cfl)
+    });
+    let record = CheckRecord::new(&discretisation, to_f64(&arguments.cfl), &found);
+    match arguments.format {
+        Format::Json => print_json("check", &record)?,
+        format => {
+            let table = table(arguments, &found, within_budget);
+            print(&table_text(&table, format).unwrap_or_default())?
+        }
+    };
+    let accepted = within_budget.unwrap_or_else(|| found.verdict.is_stable());
+    Ok(if accepted { Outcome::Yes } else { Outcome::No })
+}
+
+fn table(arguments: &Arguments, found: &Check, within_budget: Option<bool>) -> Table {
+    let caption = format!(
+        "{}, {}, l/Δξ = {}, C = {}: {}",
+        arguments.scheme.title(),
+        arguments.kernel.title(),
+        to_text(&arguments.ratio),
+        to_text(&arguments.cfl),
+        headline(found)
+    );
+    let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Left)]);
+    let limit = found.stable_set.limit();
+    let courant = to_f64(&arguments.cfl);
+    let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
+    add("verdict", found.verdict.name().into());
+    add("monotone", if found.monotone { "yes" } else { "no" }.into());
+    add("stability limit", describe(&limit));
+    if limit.is_positive() && limit.value().is_finite() {
+        add("C / limit", significant(courant / limit.value(), 8));
+    }
+    add("monotonicity limit", describe(&found.monotonicity));
+    add("largest |g|", significant(1.0 + found.strongest.growth, 12));
+    add("growth per step", significant(found.strongest.growth, 6));
+    if let Some(steps) = found.steps_to_double {
+        add("steps to double", significant(steps, 4));
+        let wavelength = 2.0 * std::f64::consts::PI / found.strongest.phase;
+        let wave = if found.strongest.phase > 0.0 {
+            format!(
+                "{} Δξ (φ = {} rad)",
+                significant(wavelength, 5),
+                significant(found.strongest.phase, 5)
+            )
+        } else {
+            "the mean itself (φ = 0)".into()
+        };
+        add("fastest growing wave", wave);
+    }
+    if let (Some(within), Some(growth)) = (within_budget, &arguments.growth) {
+        let answer = if within { "yes" } else { "no" };
+        add(&format!("growth within {}", significant(to_f64(growth), 3)), answer.into());
+    }
+    table
+}
+
+fn headline(found: &Check) -> String {
+    let monotone = if found.monotone { "monotone" } else { "not monotone" };
+    match found.verdict {
+        Verdict::Stable => format!("stable, {monotone}"),
+        Verdict::Marginal => format!("marginally stable, {monotone}"),
+        Verdict::WeaklyUnstable => "weakly unstable".into(),
+        Verdict::Unstable => "unstable".into(),
+    }
+}
+
+fn describe(limit: &Limit) -> String {
+    if limit.value().is_infinite() {
+        return format!("none up to C = {}", significant(limit.lower(), 6));
+    }
+    let exact = limit
+        .exact()
+        .map(ToString::to_string)
+        .filter(|text| text.len() <= 24 && text.contains(['/', '(']))
+        .map_or_else(String::new, |text| format!(" = {text}"));
+    let wave = match limit.critical_phase() {
+        Some(_) => format!(", {}", binding_wave(limit)),
+        None => limit
+            .binding_offset()
+            .map_or_else(String::new, |k| format!(", coefficient of offset {k}")),
+    };
+    format!("{}{exact} ({}{wave})", significant(limit.value(), 12), limit.evidence().name())
+}

@@ -1,0 +1,95 @@
+//! What can go wrong, as one clear line each.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use courant::reports::figure::FigureError;
+use courant::reports::page::PageError;
+use courant::reports::publish::PublishError;
+
+/// Why a command gave no result.
+#[derive(Debug)]
+pub enum Failure {
+    /// The reader of standard output went away; that is no failure.
+    ClosedPipe,
+    /// Everything else, as a line that names the option, the value and what would be accepted.
+    Message(String),
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::ClosedPipe => formatter.write_str("the output was closed"),
+            Self::Message(message) => formatter.write_str(message),
+        }
+    }
+}
+
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        match error.kind() {
+            std::io::ErrorKind::BrokenPipe => Self::ClosedPipe,
+            _ => Self::Message(error.to_string()),
+        }
+    }
+}
+
+impl From<PublishError> for Failure {
+    fn from(error: PublishError) -> Self {
+        Self::Message(format!("--out: {error}"))
+    }
+}
+
+impl From<PageError> for Failure {
+    fn from(error: PageError) -> Self {
+        match error {
+            PageError::Publish(error) => error.into(),
+            PageError::Figure(error) => error.into(),
+        }
+    }
+}
+
+impl From<FigureError> for Failure {
+    fn from(error: FigureError) -> Self {
+        Self::Message(error.to_string())
+    }
+}
+
+/// A parse error of the argument library as one line.
+pub fn one_line(error: &clap::Error) -> String {
+    let get = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")),
+        _ => None,
+    };
+    let argument = get(ContextKind::InvalidArg).unwrap_or_default();
+    let value = get(ContextKind::InvalidValue).unwrap_or_default();
+    let suggestion = get(ContextKind::SuggestedArg)
+        .or_else(|| get(ContextKind::SuggestedSubcommand))
+        .or_else(|| get(ContextKind::SuggestedValue));
+    let hint = suggestion.map_or_else(String::new, |text| format!("; did you mean `{text}`?"));
+    match error.kind() {
+        ErrorKind::InvalidValue => {
+            let accepted = get(ContextKind::ValidValue).unwrap_or_default();
+            if value.is_empty() {
+                format!("error: {argument} needs a value; accepted: {accepted}")
+            } else {
+                format!("error: {argument}: `{value}` is not accepted{hint}; accepted: {accepted}")
+            }
+        }
+        ErrorKind::UnknownArgument => {
+            format!("error: there is no option `{argument}` here{hint}; see --help")
+        }
+        ErrorKind::InvalidSubcommand => {
+            let name = get(ContextKind::InvalidSubcommand).unwrap_or_default();
+            format!("error: there is no command `{name}`{hint}; see courant --help")
+        }
+        ErrorKind::MissingRequiredArgument => {
+            format!("error: {argument} is required; see --help")
+        }
+        _ => {
+            // `error: invalid value 'x' for '--ratio <LIST>': what is accepted`
+            let rendered = error.to_string();
+            let first = rendered.lines().next().unwrap_or("error: bad arguments");
+            first.into()
+        }
+    }
+}

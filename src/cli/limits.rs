@@ -1,0 +1,249 @@
+//! `courant limits`.
+
+use super::numbers::{Names, Numbers};
+use super::output::{Format, print, print_json, table_text};
+use super::{Failure, Outcome, names, numbers};
+use clap::Args;
+use courant::analysis::kernel::Kernel;
+use courant::analysis::limit::{
+    Limit, StableSet, growth_limit, monotonicity_limit, sampled_stability_limit, stable_set,
+};
+use courant::analysis::rational::{Rational, integer, to_f64, to_text};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::reports::number::significant;
+use courant::reports::record::{
+    GrowthRecord, IntervalRecord, LimitsRow, exact_latex, intervals, undecided,
+};
+use courant::reports::table::{Align, Cell, Table};
+use num_traits::Zero;
+use rayon::prelude::*;
+use serde::Serialize;
+
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph.
+    #[arg(long, value_parser = names::scheme)]
+    scheme: AdvectionScheme,
+    /// Kernels, separated by commas: see `courant list kernels`.
+    #[arg(long, value_parser = |text: &str| numbers::names(text, names::kernel), default_value = "cubic-spline")]
+    kernel: Names<Kernel>,
+    /// Smoothing ratios l/Δξ: 1,2,3 or 1:10:0.5 or 3/2, read exactly.
+    #[arg(long, value_parser = numbers::ratio_list)]
+    ratio: Numbers,
+    /// Look for stable Courant numbers up to this one (default: 10 + 4 l/Δξ).
+    #[arg(long, value_parser = numbers::positive)]
+    max_cfl: Option<Rational>,
+    /// Also the limits for |g| ≤ 1 + growth per step: 1e-9,1e-6,1e-3.
+    #[arg(long, value_parser = numbers::non_negative_list)]
+    growth: Option<Numbers>,
+    /// Look at N equally spaced phases instead of proving.
+    #[arg(long, value_name = "N", value_parser = numbers::phases)]
+    samples: Option<usize>,
+    /// Format of the output.
+    #[arg(long, value_enum, default_value = "table")]
+    format: Format,
+}
+
+#[derive(Debug, Serialize)]
+struct Rows {
+    rows: Vec<LimitsRow>,
+}
+
+/// Everything about one kernel and ratio.
+struct Answer {
+    discretisation: Discretisation,
+    stability: Limit,
+    /// Absent when only samples were looked at.
+    set: Option<StableSet>,
+    monotonicity: Limit,
+    growth: Vec<(Rational, Limit)>,
+    keeps_constants: bool,
+}
+
+/// The Courant numbers searched by default: far beyond any limit of the schemes here, about 1.2 l/Δξ.
+pub fn default_range(ratio: &Rational) -> Rational {
+    integer(10) + ratio * integer(4)
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let cases: Vec<(Kernel, Rational)> = arguments
+        .kernel
+        .0
+        .iter()
+        .flat_map(|kernel| arguments.ratio.0.iter().map(move |ratio| (*kernel, ratio.clone())))
+        .collect();
+    let answers: Result<Vec<Answer>, Failure> =
+        cases.into_par_iter().map(|(kernel, ratio)| answer(arguments, kernel, ratio)).collect();
+    let answers = answers?;
+    match table_text(&table(arguments, &answers), arguments.format) {
+        Some(mut text) => {
+            if arguments.format == Format::Table {
+                text.push_str(&remarks(&answers));
+            }
+            print(&text)
+        }
+        None => print_json("limits", &Rows { rows: answers.iter().map(row).collect() }),
+    }
+}
+
+fn answer(arguments: &Arguments, kernel: Kernel, ratio: Rational) -> Result<Answer, Failure> {
+    let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(&ratio));
+    let discretisation = Discretisation::new(arguments.scheme, kernel, ratio)
+        .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
+    let symbol = discretisation.symbol();
+    let (stability, set) = match arguments.samples {
+        Some(samples) => {
+            let cells = (samples - 1) as f64;
+            let phases: Vec<f64> =
+                (0..samples).map(|i| i as f64 / cells * std::f64::consts::PI).collect();
+            (sampled_stability_limit(&symbol, &phases, &range), None)
+        }
+        None => {
+            let set = stable_set(&symbol, &Rational::zero(), &range);
+            (set.limit(), Some(set))
+        }
+    };
+    let budgets = arguments.growth.as_ref().map_or(&[][..], |numbers| &numbers.0);
+    Ok(Answer {
+        stability,
+        set,
+        monotonicity: monotonicity_limit(&symbol, &range),
+        growth: budgets.iter().map(|g| (g.clone(), growth_limit(&symbol, g, &range))).collect(),
+        keeps_constants: symbol.keeps_constants(),
+        discretisation,
+    })
+}
+
+fn row(answer: &Answer) -> LimitsRow {
+    let finite = |value: f64| value.is_finite().then_some(value);
+    LimitsRow {
+        scheme: answer.discretisation.scheme().name().into(),
+        kernel: answer.discretisation.kernel().name().into(),
+        ratio: to_text(answer.discretisation.ratio()),
+        stability: (&answer.stability).into(),
+        stable_set: match &answer.set {
+            Some(set) => intervals(set),
+            None => vec![IntervalRecord { from: 0.0, to: finite(answer.stability.value()) }],
+        },
+        undecided: answer.set.as_ref().map(undecided).unwrap_or_default(),
+        monotonicity: (&answer.monotonicity).into(),
+        growth_limits: answer
+            .growth
+            .iter()
+            .map(|(growth, limit)| GrowthRecord {
+                growth: to_f64(growth),
+                value: finite(limit.value()),
+                limit: limit.into(),
+            })
+            .collect(),
+        keeps_constants: answer.keeps_constants,
+    }
+}
+
+fn table(arguments: &Arguments, answers: &[Answer]) -> Table {
+    let budgets: Vec<String> = arguments
+        .growth
+        .iter()
+        .flat_map(|numbers| &numbers.0)
+        .map(|growth| format!("growth {}", significant(to_f64(growth), 3)))
+        .collect();
+    let mut columns = vec![
+        ("kernel", Align::Left),
+        ("l/Δξ", Align::Right),
+        ("stable up to", Align::Right),
+        ("exactly", Align::Right),
+        ("evidence", Align::Left),
+        ("binding wave", Align::Left),
+        ("monotone up to", Align::Right),
+        ("exactly", Align::Right),
+    ];
+    columns.extend(budgets.iter().map(|name| (name.as_str(), Align::Right)));
+    let caption = format!("Limits of the Courant number, {}", arguments.scheme.title());
+    let mut table = Table::new(caption, &columns);
+    for answer in answers {
+        let mut cells = vec![
+            Cell::from(answer.discretisation.kernel().name()),
+            to_text(answer.discretisation.ratio()).into(),
+            number(&answer.stability),
+            exact(&answer.stability),
+            answer.stability.evidence().name().into(),
+            binding_wave(&answer.stability).into(),
+            number(&answer.monotonicity),
+            exact(&answer.monotonicity),
+        ];
+        cells.extend(answer.growth.iter().map(|(_, limit)| number(limit)));
+        table.push(cells);
+    }
+    table
+}
+
+/// A limit for people: twelve digits are proved, eleven are shown.
+fn number(limit: &Limit) -> Cell {
+    if limit.value().is_infinite() {
+        format!("> {}", significant(limit.lower(), 6)).into()
+    } else {
+        significant(limit.value(), 11).into()
+    }
+}
+
+/// The closed form where it is short enough to be read.
+fn exact(limit: &Limit) -> Cell {
+    let text = limit.exact().map_or_else(String::new, ToString::to_string);
+    match exact_latex(limit) {
+        _ if text.len() > 24 => "(long fraction)".into(),
+        Some(latex) => Cell::with_latex(text, latex),
+        None => text.into(),
+    }
+}
+
+/// The wave that binds, by its length in particle spacings.
+pub fn binding_wave(limit: &Limit) -> String {
+    match (limit.cause(), limit.critical_phase()) {
+        (Some(cause), Some(phase)) if phase > 0.0 => {
+            format!("{}, {} Δξ", cause.name(), significant(2.0 * std::f64::consts::PI / phase, 4))
+        }
+        (Some(cause), _) => cause.name().into(),
+        (None, _) => "–".into(),
+    }
+}
+
+/// What the columns cannot say.
+fn remarks(answers: &[Answer]) -> String {
+    let mut remarks = Vec::new();
+    for answer in answers {
+        let name = format!(
+            "{}, l/Δξ = {}",
+            answer.discretisation.kernel().name(),
+            to_text(answer.discretisation.ratio())
+        );
+        if !answer.keeps_constants {
+            remarks.push(format!("{name}: a constant is not kept, the mean drifts"));
+        }
+        let Some(set) = &answer.set else { continue };
+        if set.neutral {
+            remarks.push(format!("{name}: |g| = 1 for every wave at every C: no neighbour counts"));
+        }
+        if set.intervals.len() > 1 || set.intervals.first().is_some_and(|i| i.from.upper() > 0.0) {
+            let list: Vec<String> = set
+                .intervals
+                .iter()
+                .map(|i| {
+                    format!(
+                        "[{}, {}]",
+                        significant(i.from.value(), 8),
+                        significant(i.to.value(), 8)
+                    )
+                })
+                .collect();
+            remarks.push(format!("{name}: stable for C in {}", list.join(" and ")));
+        }
+        for (from, to) in &set.undecided {
+            remarks.push(format!(
+                "{name}: undecided for C in [{}, {}]",
+                significant(*from, 8),
+                significant(*to, 8)
+            ));
+        }
+    }
+    if remarks.is_empty() { String::new() } else { format!("\n{}\n", remarks.join("\n")) }
+}

@@ -1,0 +1,123 @@
+//! Arguments, dispatch, progress and exit codes. No mathematics.
+
+mod check;
+mod error;
+mod limits;
+mod list;
+mod map;
+mod names;
+mod numbers;
+mod output;
+mod progress;
+mod report;
+mod symbol;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use error::Failure;
+use std::process::ExitCode;
+
+/// Von Neumann stability of numerical schemes: amplification factors, proved time-step limits, maps.
+#[derive(Debug, Parser)]
+#[command(name = "courant", version, about, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    /// Number of threads (default: one for each processor); results do not depend on it.
+    #[arg(long, global = true, value_name = "N", value_parser = numbers::threads)]
+    threads: Option<usize>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// What there is: kernels, schemes, figures, with their sources.
+    List(list::Arguments),
+    /// Stencil, amplification factor, order of accuracy and consistency of a scheme.
+    Symbol(symbol::Arguments),
+    /// Largest stable and largest monotone Courant number, with evidence.
+    Limits(limits::Arguments),
+    /// Verdict on one Courant number; exit code 0 when it is stable, 1 when it is not.
+    Check(check::Arguments),
+    /// Amplification over the (smoothing ratio, Courant number) plane: PNG, SVG, CSV, NPY.
+    Map(map::Arguments),
+    /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
+    Report(report::Arguments),
+    /// Shell completions on standard output.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// The manual page on standard output.
+    Man,
+}
+
+/// How the program ended when nothing went wrong.
+enum Outcome {
+    /// Done, and the answer (if there was a question) is yes.
+    Yes,
+    /// The answer is no.
+    No,
+}
+
+/// Parses the arguments, runs the command and turns the outcome into an exit code: 0 done or yes, 1 no,
+/// 2 bad input.
+pub fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() => {
+            eprintln!("{}", error::one_line(&error));
+            return ExitCode::from(2);
+        }
+        Err(help) => {
+            // Help and version go to standard output; a closed pipe there is no failure.
+            let _ = help.print();
+            return ExitCode::SUCCESS;
+        }
+    };
+    if let Some(threads) = arguments.threads
+        && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()
+    {
+        eprintln!("error: --threads {threads}: {error}");
+        return ExitCode::from(2);
+    }
+    match dispatch(arguments.command) {
+        Ok(Outcome::Yes) => ExitCode::SUCCESS,
+        Ok(Outcome::No) => ExitCode::from(1),
+        Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn dispatch(command: Command) -> Result<Outcome, Failure> {
+    match command {
+        Command::List(arguments) => list::run(&arguments),
+        Command::Symbol(arguments) => symbol::run(&arguments),
+        Command::Limits(arguments) => limits::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Map(arguments) => map::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "courant", &mut script);
+            output::print_bytes(&script)
+        }
+        Command::Man => {
+            let mut page = Vec::new();
+            let manual = clap_mangen::Man::new(Arguments::command());
+            manual.render(&mut page).map_err(Failure::from)?;
+            output::print_bytes(&page)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_argument_definitions_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+}

@@ -1,0 +1,189 @@
+//! Numbers, lists and ranges, read exactly: `1,2,3`, `1:10:0.5` (inclusive), `3/2`.
+
+use courant::analysis::lattice::MAX_RATIO;
+use courant::analysis::rational::{Rational, integer, parse, to_text};
+use num_traits::{Signed, ToPrimitive};
+
+/// Values in one list or range at most.
+const MAX_VALUES: i64 = 100_000;
+
+/// A list of exact numbers; a type of its own because the argument library treats `Vec` as repetition.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Numbers(pub Vec<Rational>);
+
+/// A list of items given by name, separated by commas.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Names<T>(pub Vec<T>);
+
+/// Splits at commas and reads every name.
+pub fn names<T>(text: &str, read: impl Fn(&str) -> Result<T, String>) -> Result<Names<T>, String> {
+    if text.trim().is_empty() {
+        return Err("the list is empty; give at least one name".into());
+    }
+    let read = text.split(',').map(|name| {
+        read(name.trim()).map_err(|problem| {
+            if text.contains(',') { format!("`{}`: {problem}", name.trim()) } else { problem }
+        })
+    });
+    read.collect::<Result<_, _>>().map(Names)
+}
+
+/// A list or range of numbers.
+pub fn list(text: &str) -> Result<Numbers, String> {
+    if text.trim().is_empty() {
+        return Err(
+            "the list is empty; give numbers such as 1,2,3 or a range such as 1:10:0.5".into()
+        );
+    }
+    let mut values = Vec::new();
+    for part in text.split(',') {
+        let fields: Vec<&str> = part.split(':').collect();
+        match fields.as_slice() {
+            [value] => values.push(number(value)?),
+            [from, to, step] => range(number(from)?, number(to)?, number(step)?, &mut values)?,
+            _ => {
+                return Err(format!(
+                    "`{part}` is no range; write from:to:step, for example 1:10:0.5"
+                ));
+            }
+        }
+        if values.len() as i64 > MAX_VALUES {
+            return Err(format!("more than {MAX_VALUES} values"));
+        }
+    }
+    Ok(Numbers(values))
+}
+
+fn range(
+    from: Rational,
+    to: Rational,
+    step: Rational,
+    values: &mut Vec<Rational>,
+) -> Result<(), String> {
+    if !step.is_positive() {
+        return Err(format!("the step of a range must be above 0, not {}", to_text(&step)));
+    }
+    if from > to {
+        return Err(format!("the range from {} to {} is empty", to_text(&from), to_text(&to)));
+    }
+    let last = ((&to - &from) / &step).floor().to_integer();
+    match last.to_i64().filter(|last| *last < MAX_VALUES) {
+        Some(last) => {
+            values.extend((0..=last).map(|index| &from + &step * integer(index)));
+            Ok(())
+        }
+        None => Err(format!("the range has more than {MAX_VALUES} values; take a larger step")),
+    }
+}
+
+/// One exact number.
+pub fn number(text: &str) -> Result<Rational, String> {
+    parse(text).map_err(|error| error.to_string())
+}
+
+/// A positive number.
+pub fn positive(text: &str) -> Result<Rational, String> {
+    let value = number(text)?;
+    if value.is_positive() { Ok(value) } else { Err("it must be above 0".into()) }
+}
+
+/// A number that is not negative.
+pub fn non_negative(text: &str) -> Result<Rational, String> {
+    let value = number(text)?;
+    if value.is_negative() { Err("it must not be negative".into()) } else { Ok(value) }
+}
+
+/// Numbers that are not negative.
+pub fn non_negative_list(text: &str) -> Result<Numbers, String> {
+    let numbers = list(text)?;
+    match numbers.0.iter().find(|value| value.is_negative()) {
+        Some(value) => Err(format!("{} is negative; values must be 0 or above", to_text(value))),
+        None => Ok(numbers),
+    }
+}
+
+/// One smoothing ratio.
+pub fn ratio(text: &str) -> Result<Rational, String> {
+    let value = number(text)?;
+    if value.is_positive() && value <= integer(MAX_RATIO) {
+        Ok(value)
+    } else {
+        Err(format!("{} is out of range: above 0 and at most {MAX_RATIO}", to_text(&value)))
+    }
+}
+
+/// Smoothing ratios.
+pub fn ratio_list(text: &str) -> Result<Numbers, String> {
+    let numbers = list(text)?;
+    for value in &numbers.0 {
+        ratio(&to_text(value))?;
+    }
+    Ok(numbers)
+}
+
+/// An axis of a map: at least two ascending values.
+pub fn axis(values: &Numbers) -> Result<(), String> {
+    if values.0.len() < 2 {
+        return Err("a map needs at least two values; write a range such as 1:10:0.05".into());
+    }
+    match values.0.windows(2).find(|pair| pair[0] >= pair[1]) {
+        Some(pair) => Err(format!(
+            "values must ascend, but {} is followed by {}",
+            to_text(&pair[0]),
+            to_text(&pair[1])
+        )),
+        None => Ok(()),
+    }
+}
+
+/// A number of threads.
+pub fn threads(text: &str) -> Result<usize, String> {
+    count(text, 1, 1024)
+}
+
+/// A number of phases.
+pub fn phases(text: &str) -> Result<usize, String> {
+    count(text, 2, 10_000_000)
+}
+
+fn count(text: &str, least: usize, most: usize) -> Result<usize, String> {
+    text.parse()
+        .ok()
+        .filter(|count| (least..=most).contains(count))
+        .ok_or_else(|| format!("a whole number from {least} to {most} is accepted"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use courant::analysis::rational::ratio as fraction;
+
+    #[test]
+    fn lists_and_ranges_are_exact_and_inclusive() {
+        assert_eq!(list("1,3/2,0.1").unwrap().0, [integer(1), fraction(3, 2), fraction(1, 10)]);
+        let range = list("0.1:3.1:0.1").unwrap().0;
+        assert_eq!((range.len(), range.last()), (31, Some(&fraction(31, 10))));
+        assert_eq!(list("1:2:0.3").unwrap().0.len(), 4);
+        assert_eq!(list("1,2:4:1").unwrap().0.len(), 4);
+    }
+
+    #[test]
+    fn bad_lists_say_what_is_wrong() {
+        for (text, word) in [
+            ("", "empty"),
+            ("1:0:1", "empty"),
+            ("0:1:0", "step"),
+            ("0:1:-1", "step"),
+            ("0:1e9:1", "more than"),
+            ("1:2", "range"),
+            ("NaN", "NaN"),
+            ("1,,2", "not a number"),
+        ] {
+            let error = list(text).unwrap_err();
+            assert!(error.contains(word), "{text}: {error}");
+        }
+        assert!(ratio_list("0").unwrap_err().contains("out of range"));
+        assert!(ratio_list("1,51").unwrap_err().contains("51"));
+        assert!(axis(&list("2,1").unwrap()).is_err());
+    }
+}

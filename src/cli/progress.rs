@@ -1,0 +1,31 @@
+//! A progress bar on standard error, only when that is a terminal.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::ops::ControlFlow;
+
+/// A bar that follows a sweep's callback.
+pub struct Bar(ProgressBar);
+
+impl Bar {
+    /// A bar with a name; invisible unless standard error is a terminal.
+    pub fn new(name: &str) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+        let style = ProgressStyle::with_template("{msg} {wide_bar} {percent}% {eta}")
+            .expect("the template is well-formed");
+        bar.set_style(style);
+        bar.set_message(name.to_owned());
+        Self(bar)
+    }
+
+    /// The callback of a sweep.
+    pub fn advance(&self, done: usize, all: usize) -> ControlFlow<()> {
+        self.0.set_length(all as u64);
+        self.0.set_position(done as u64);
+        ControlFlow::Continue(())
+    }
+
+    /// Removes the bar.
+    pub fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+}
