@@ -255,7 +255,7 @@ fn divide(a: f64, b: f64) -> (f64, f64) {
             (f64::NEG_INFINITY, f64::INFINITY)
         } else {
             // a/b for every finite b at least this large: between 0 and the least float.
-            (f64::from_bits(1) * -1.0, f64::from_bits(1))
+            (-f64::from_bits(1), f64::from_bits(1))
         };
     }
     if a.is_infinite() {

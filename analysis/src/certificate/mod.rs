@@ -80,7 +80,7 @@ pub struct CertifiedStencil {
 #[serde(tag = "question", rename_all = "kebab-case")]
 pub enum Proof {
     /// `|g| ≤ 1 + growth`.
-    Stability(StabilityProof),
+    Stability(Box<StabilityProof>),
     /// Every coefficient is at least zero.
     Monotonicity(MonotonicityProof),
 }

@@ -76,7 +76,7 @@ pub fn certify_stability(
     }
     Ok(proofs
         .into_iter()
-        .map(|proof| certificate(symbol, subject, Proof::Stability(proof)))
+        .map(|proof| certificate(symbol, subject, Proof::Stability(Box::new(proof))))
         .collect())
 }
 
@@ -108,7 +108,7 @@ pub fn certify_monotonicity(
         let binding = coefficients.iter().find(|(candidate, ..)| *candidate == offset);
         let (_, center, radius) = binding.ok_or(CertificationError::NoWitness)?;
         let raised = center.clone() + radius.clone();
-        let mut beyond = above(upper, max_courant).into_iter();
+        let mut beyond = above(upper, max_courant);
         let to = beyond
             .find(|to| is_negative_between(raised.coefficients(), upper, to) == Some(true))
             .ok_or(CertificationError::NoWitness)?;

@@ -125,11 +125,11 @@ fn check_symbol(symbol: &CertifiedSymbol) -> Result<(), CertificateError> {
                 && *odd <= total;
         ensure(consistent, "the radii of a stencil contradict each other")?;
     }
-    let moments = symbol.stencils.iter().enumerate().map(|(power, stencil)| {
+    let mut moments = symbol.stencils.iter().enumerate().map(|(power, stencil)| {
         let sum: Rational = stencil.coefficients.iter().map(|value| &value.0).sum();
         sum == integer(i64::from(power == 0))
     });
-    let center_keeps_constants = moments.fold(true, |all, one| all && one);
+    let center_keeps_constants = moments.all(|one| one);
     ensure(
         center_keeps_constants || !symbol.keeps_constants,
         "the coefficients do not keep a constant",
