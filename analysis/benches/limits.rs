@@ -5,7 +5,7 @@ use courant_analysis::kernel::Kernel;
 use courant_analysis::limit::{monotonicity_limit, stable_set};
 use courant_analysis::rational::integer;
 use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use std::hint::black_box;
 
 fn scheme(scheme: AdvectionScheme, kernel: Kernel, ratio: i64) -> Discretisation {
@@ -49,5 +49,8 @@ fn limits(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, limits);
-criterion_main!(benches);
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    limits(&mut criterion);
+    criterion.final_summary();
+}

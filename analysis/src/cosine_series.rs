@@ -125,9 +125,10 @@ impl CosineSeries<f64> {
         let (mut first, mut second) = (0.0, 0.0);
         let Some((constant, rest)) = self.coefficients.split_first() else { return 0.0 };
         for value in rest.iter().rev() {
-            (first, second) = (twice.mul_add(first, value - second), first);
+            // No `mul_add`: where the target has no such instruction it is a slow library call.
+            (first, second) = (twice * first + (value - second), first);
         }
-        cosine.mul_add(first, constant - second)
+        cosine * first + (constant - second)
     }
 }
 

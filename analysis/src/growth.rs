@@ -32,8 +32,9 @@ const SLACK: f64 = 0.005;
 
 const BLOCK: usize = 64;
 
-/// Steps of the refinement at most, and the bracket (in sample spacings) at which the maximum is flat:
-/// the value is then below the maximum by the square of this times the second difference.
+/// Steps of the refinement at most, and the movement of the vertex (in sample spacings) below which it
+/// counts as found: the value is then below the maximum by about the square of this times the second
+/// difference of the samples, itself below 2 % of the range.
 const MAX_POLISH: usize = 40;
 const FLAT: f64 = 2e-5;
 
@@ -84,13 +85,13 @@ impl PhaseTable {
             [] => excess.resize(self.phases.len(), 0.0),
             [first] => excess.extend(first.iter().map(|a| scale * a)),
             [first, second] => {
-                excess.extend(first.iter().zip(second).map(|(a, b)| scale * b.mul_add(t, *a)));
+                excess.extend(first.iter().zip(second).map(|(a, b)| scale * (b * t + a)));
             }
             several => {
                 excess.resize(self.phases.len(), 0.0);
                 for column in several.iter().rev() {
                     for (sum, value) in excess.iter_mut().zip(column) {
-                        *sum = sum.mul_add(t, *value);
+                        *sum = *sum * t + value;
                     }
                 }
                 excess.iter_mut().for_each(|value| *value *= scale);
@@ -129,7 +130,7 @@ impl PhaseTable {
                 let candidate = if index == 0 || index == last {
                     (here, self.phases[index])
                 } else {
-                    self.polish(courant_number, sign, self.phases[index], here)
+                    self.polish(courant_number, sign, index, [left, here, right])
                 };
                 if candidate.0 > found.0 {
                     found = candidate;
@@ -141,23 +142,25 @@ impl PhaseTable {
 
     /// The maximum between the two neighbours of a sampled one: parabolic interpolation through a
     /// shrinking bracket, with a golden-section step wherever the parabola does not help.
-    fn polish(&self, courant_number: f64, sign: f64, phase: f64, value: f64) -> (f64, f64) {
+    fn polish(&self, courant_number: f64, sign: f64, index: usize, near: [f64; 3]) -> (f64, f64) {
         let at = |phase: f64| (-sign * self.margin.at(courant_number, phase), phase);
         let spacing = self.phases[1];
-        let (mut left, mut best, mut right) =
-            (at(phase - spacing), (value, phase), at(phase + spacing));
+        let mut left = (near[0], self.phases[index - 1]);
+        let mut best = (near[1], self.phases[index]);
+        let mut right = (near[2], self.phases[index + 1]);
         for _ in 0..MAX_POLISH {
             let (before, after) = (best.1 - left.1, right.1 - best.1);
-            if before.max(after) < FLAT * spacing {
-                break;
-            }
             // Vertex of the parabola through the three points.
             let (rise, fall) = (best.0 - left.0, best.0 - right.0);
             let curvature = after * rise + before * fall;
             let mut next =
                 best.1 + 0.5 * (after * after * rise - before * before * fall) / curvature;
+            // A vertex that stays where it is has been found.
+            if (next - best.1).abs() < FLAT * spacing {
+                break;
+            }
             let shrinks = next - left.1 > 0.01 * before && right.1 - next > 0.01 * after;
-            if !shrinks || (next - best.1).abs() < 0.001 * before.min(after) {
+            if !shrinks {
                 next = if before > after { best.1 - 0.38 * before } else { best.1 + 0.38 * after };
             }
             let tried = at(next);

@@ -280,9 +280,11 @@ impl CompiledMargin {
     /// The factor `s^a (1 − s)^b H²`.
     pub fn phase_factor(&self, phase: f64) -> f64 {
         let (sine, cosine) = (0.5 * phase).sin_cos();
-        sine.powi(2 * self.phase_power)
-            * cosine.powi(2 * self.complement_power)
-            * self.neutral_waves.at_cosine(phase.cos()).powi(2)
+        let factor = sine.powi(2 * self.phase_power) * cosine.powi(2 * self.complement_power);
+        match self.neutral_waves.coefficients() {
+            [_one] => factor,
+            _ => factor * self.neutral_waves.at_cosine(phase.cos()).powi(2),
+        }
     }
 
     /// The factor `C^c`.
@@ -464,8 +466,8 @@ mod tests {
         // would have no digit left.
         let upwind = symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
         let margin = Margin::new(&upwind, &integer(0)).compile();
-        let phase = 1e-9;
-        let expected = 4.0 * (0.5 * phase as f64).sin().powi(2) * 0.25;
+        let phase: f64 = 1e-9;
+        let expected = 4.0 * (0.5 * phase).sin().powi(2) * 0.25;
         assert!((margin.at(0.5, phase) / expected - 1.0).abs() < 4.0 * f64::EPSILON);
     }
 }

@@ -11,6 +11,7 @@ pub mod number;
 pub mod page;
 pub mod publish;
 pub mod record;
+pub mod run_record;
 pub mod stability_map;
 pub mod table;
 

@@ -24,7 +24,7 @@ pub const DRAWN_GROWTH: (i64, i64) = (1, 1000);
 const EDGES: [f64; 13] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0];
 
 /// Isolines that carry numbers.
-const LEVELS: [f64; 7] = [0.2, 0.4, 0.6, 0.8, 1.25, 2.0, 5.0];
+const LEVELS: [f64; 6] = [0.2, 0.4, 0.6, 0.8, 1.25, 2.0];
 
 /// What is mapped.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,7 +156,7 @@ impl StabilityMap {
         if !self.monotonicity.is_empty() {
             panel = panel.layer(
                 Line::new(self.monotonicity.iter().copied())
-                    .color(Color::BLUE)
+                    .color(Color::YELLOW)
                     .width(1.6)
                     .dash(Dash::nth(2))
                     .label("monotonicity limit, proved"),

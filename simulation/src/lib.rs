@@ -1,1 +1,13 @@
-//! Placeholder until the next commit.
+//! Time stepping for `courant`: the real schemes, run on particles; gases, scenes, and the methods that
+//! advance them.
+
+pub mod adaptive_sph;
+pub mod advection;
+pub mod comparison;
+pub mod finite_volume;
+pub mod lagrangian;
+pub mod method;
+pub mod particles;
+pub mod riemann;
+pub mod run;
+pub mod scene;

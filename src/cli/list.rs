@@ -1,7 +1,7 @@
 //! `courant list`.
 
 use super::output::{Format, print, print_json, table_text};
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, run};
 use clap::{Args, ValueEnum};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::scheme::AdvectionScheme;
@@ -15,6 +15,10 @@ enum Topic {
     Kernels,
     /// Advection schemes.
     Schemes,
+    /// Methods that run scenes.
+    Methods,
+    /// Scenes to run.
+    Scenes,
     /// Tables and figures of the reports.
     Figures,
 }
@@ -37,13 +41,23 @@ struct Entry {
     source: &'static str,
 }
 
+impl From<run::Entry> for Entry {
+    fn from(entry: run::Entry) -> Self {
+        let description = entry.description.into();
+        Self { name: entry.name, aliases: &[], description, source: entry.source }
+    }
+}
+
 impl Topic {
-    const ALL: [Self; 3] = [Self::Kernels, Self::Schemes, Self::Figures];
+    const ALL: [Self; 5] =
+        [Self::Kernels, Self::Schemes, Self::Methods, Self::Scenes, Self::Figures];
 
     fn name(self) -> &'static str {
         match self {
             Self::Kernels => "kernels",
             Self::Schemes => "schemes",
+            Self::Methods => "methods",
+            Self::Scenes => "scenes",
             Self::Figures => "figures",
         }
     }
@@ -73,6 +87,8 @@ impl Topic {
                     source: scheme.source(),
                 })
                 .collect(),
+            Self::Methods => run::methods().into_iter().map(Entry::from).collect(),
+            Self::Scenes => run::scenes().into_iter().map(Entry::from).collect(),
             Self::Figures => courant::reports::CATALOGUE
                 .iter()
                 .map(|item| Entry {

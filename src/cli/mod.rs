@@ -10,6 +10,7 @@ mod numbers;
 mod output;
 mod progress;
 mod report;
+mod run;
 mod symbol;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -39,6 +40,8 @@ enum Command {
     Check(check::Arguments),
     /// Amplification over the (smoothing ratio, Courant number) plane: PNG, SVG, CSV, NPY.
     Map(map::Arguments),
+    /// Run a scene with a method: profile, figure, error norms, conservation.
+    Run(run::Arguments),
     /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
     Report(report::Arguments),
     /// Shell completions on standard output.
@@ -60,7 +63,7 @@ enum Outcome {
 
 /// Parses the arguments, runs the command and turns the outcome into an exit code: 0 done or yes, 1 no,
 /// 2 bad input.
-pub fn run() -> ExitCode {
+pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) if error.use_stderr() => {
@@ -97,6 +100,7 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Limits(arguments) => limits::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();

@@ -6,26 +6,30 @@ use courant::analysis::scheme::AdvectionScheme;
 /// A kernel by name or alias.
 pub fn kernel(text: &str) -> Result<Kernel, String> {
     text.parse().map_err(|_| {
-        let names = Kernel::ALL.iter().flat_map(|k| [&[k.name()], k.aliases()].concat());
-        unknown("kernel", text, names, &Kernel::ALL.map(Kernel::name))
+        let aliases = Kernel::ALL.iter().flat_map(|kernel| kernel.aliases());
+        with_aliases("kernel", text, &Kernel::ALL.map(Kernel::name), aliases.copied())
     })
 }
 
 /// A scheme by name.
 pub fn scheme(text: &str) -> Result<AdvectionScheme, String> {
-    text.parse().map_err(|_| {
-        let names = AdvectionScheme::ALL.map(AdvectionScheme::name);
-        unknown("scheme", text, names.into_iter(), &names)
-    })
+    text.parse()
+        .map_err(|_| unknown("scheme", text, &AdvectionScheme::ALL.map(AdvectionScheme::name)))
 }
 
-fn unknown(
+/// What to say of a name that is none: the nearest one, and all of them.
+pub fn unknown(what: &str, text: &str, all: &[&str]) -> String {
+    with_aliases(what, text, all, std::iter::empty())
+}
+
+fn with_aliases<'a>(
     what: &str,
     text: &str,
-    names: impl Iterator<Item = &'static str>,
-    all: &[&str],
+    all: &[&'a str],
+    aliases: impl Iterator<Item = &'a str>,
 ) -> String {
     let wanted = text.to_ascii_lowercase();
+    let names = all.iter().copied().chain(aliases);
     let nearest = names.map(|name| (distance(&wanted, name), name)).min();
     let hint = match nearest {
         Some((steps, name)) if steps <= 1 + name.len() / 3 => format!("did you mean `{name}`? "),

@@ -141,6 +141,11 @@ pub fn threads(text: &str) -> Result<usize, String> {
     count(text, 1, 1024)
 }
 
+/// A number of particles.
+pub fn particles(text: &str) -> Result<usize, String> {
+    count(text, 4, 10_000_000)
+}
+
 /// A number of phases.
 pub fn phases(text: &str) -> Result<usize, String> {
     count(text, 2, 10_000_000)

@@ -82,7 +82,7 @@ pub enum Proof {
     /// `|g| ≤ 1 + growth`.
     Stability(Box<StabilityProof>),
     /// Every coefficient is at least zero.
-    Monotonicity(MonotonicityProof),
+    Monotonicity(Box<MonotonicityProof>),
 }
 
 /// `|g| ≤ 1 + growth` for all waves while `from ≤ t ≤ limit.lower`, and not just above `limit.upper`;

@@ -114,7 +114,7 @@ pub fn certify_monotonicity(
             .ok_or(CertificationError::NoWitness)?;
         proof.binding = Some(BindingCoefficient { offset, to: to.into() });
     }
-    Ok(certificate(symbol, subject, Proof::Monotonicity(proof)))
+    Ok(certificate(symbol, subject, Proof::Monotonicity(Box::new(proof))))
 }
 
 struct StabilityProver<'a> {

@@ -91,6 +91,9 @@ fn first_sign_change(polynomial: &Polynomial<Rational>, end: &Rational) -> Optio
     if starts_negative(polynomial) {
         return Some(RealRoot { lower: Rational::zero(), upper: Rational::zero() });
     }
+    if polynomial.coefficients().iter().all(|value| !value.is_negative()) {
+        return None;
+    }
     let roots = real_roots(polynomial, &Rational::zero(), end, ROOT_BITS);
     for (index, root) in roots.iter().enumerate() {
         let next = roots.get(index + 1).map_or(end, |next| &next.lower);

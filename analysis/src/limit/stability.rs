@@ -179,6 +179,9 @@ impl Edge {
     }
 }
 
+/// A point `(s, t)` where the margin is negative.
+type Counterexample = Box<(Rational, Rational)>;
+
 /// How a stable stretch ends.
 enum Stretch {
     /// At this edge.
@@ -355,8 +358,8 @@ impl<'a> Search<'a> {
 
     /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it or
     /// from nothing but the failure to prove the rest of the range stable.
-    fn bisect(&mut self, from: &Rational, counterexample: Option<(Rational, Rational)>) -> Stretch {
-        let (mut witness, mut upper) = match counterexample {
+    fn bisect(&mut self, from: &Rational, counterexample: Option<Counterexample>) -> Stretch {
+        let (mut witness, mut upper) = match counterexample.map(|found| *found) {
             Some((s, t)) => (Some(s), t),
             None => (None, self.end.clone()),
         };
@@ -374,9 +377,9 @@ impl<'a> Search<'a> {
             let middle = (&lower + &upper) / integer(2);
             match self.is_stable(&lower, &middle) {
                 Ok(()) => lower = middle,
-                Err(Some((closer, t))) => {
-                    witness = Some(closer);
-                    upper = t.min(middle);
+                Err(Some(found)) => {
+                    upper = found.1.min(middle);
+                    witness = Some(found.0);
                 }
                 Err(None) => {
                     witness = None;
@@ -562,17 +565,13 @@ impl<'a> Search<'a> {
     }
 
     /// `Ok` when `[from, to]` is proved stable, else a counterexample `(s, t)` if one was met.
-    fn is_stable(
-        &mut self,
-        from: &Rational,
-        to: &Rational,
-    ) -> Result<(), Option<(Rational, Rational)>> {
+    fn is_stable(&mut self, from: &Rational, to: &Rational) -> Result<(), Option<Counterexample>> {
         let (sign, work) = self.form.sign(from, to, MAX_BOXES);
         self.work += work;
         match sign {
             Sign::NowhereNegative => Ok(()),
             Sign::SomewhereNegative { phase_parameter, courant_parameter } => {
-                Err(Some((phase_parameter, courant_parameter)))
+                Err(Some(Box::new((phase_parameter, courant_parameter))))
             }
             Sign::Undecided => Err(None),
         }

@@ -19,7 +19,7 @@ const SCHEMES: [AdvectionScheme; 2] =
 /// The grid of one panel: ratio 1 to 10 (whole ratios are on it), Courant number 0 to 12.
 pub fn figure_1_plan(scheme: AdvectionScheme, kernel: Kernel, detail: Detail) -> MapPlan {
     let cells = match detail {
-        Detail::Full => 360,
+        Detail::Full => 270,
         Detail::Quick => 90,
     };
     let axis = |from: i64, to: i64| -> Vec<Rational> {

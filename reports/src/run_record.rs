@@ -1,0 +1,56 @@
+//! A run as the JSON object that scripts rely on: `courant.run/1`.
+
+use serde::Serialize;
+
+/// Error norms `Σ|e_i|/N` over the particles inside the scene's comparison window; a variable the scene
+/// does not have is `null`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct ErrorNorms {
+    /// The advected quantity of an advection scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<f64>,
+    /// Density.
+    pub density: Option<f64>,
+    /// Velocity.
+    pub velocity: Option<f64>,
+    /// Pressure.
+    pub pressure: Option<f64>,
+    /// Specific internal energy.
+    pub energy: Option<f64>,
+}
+
+/// Relative change of a total over the run; `null` where the scene has no such total.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct ConservationRecord {
+    /// Mass, or the mean of an advected quantity.
+    pub mass: Option<f64>,
+    /// Momentum.
+    pub momentum: Option<f64>,
+    /// Total energy.
+    pub energy: Option<f64>,
+}
+
+/// One run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RunRecord {
+    /// The scene's name.
+    pub scene: String,
+    /// The method's name.
+    pub method: String,
+    /// How many particles or cells.
+    pub particles: usize,
+    /// Time steps taken.
+    pub steps: usize,
+    /// The time reached.
+    pub time: f64,
+    /// Whether the end time was reached.
+    pub completed: bool,
+    /// Why not.
+    pub failure: Option<String>,
+    /// Error norms.
+    pub l1: ErrorNorms,
+    /// Drift of the conserved totals.
+    pub conservation: ConservationRecord,
+    /// Wall-clock time of the stepping in seconds.
+    pub wall_seconds: f64,
+}

@@ -1,0 +1,253 @@
+//! What a step does to each mode, measured on the running code and set beside the prediction.
+
+use super::faulty::{Fault, Faulty};
+use super::method::{Method, MethodError};
+use super::modes::RingModes;
+use super::random::SplitMix64;
+use super::ring::{Ring, RingError};
+use super::stepper::{PathKind, Stepper};
+use courant_analysis::scheme::{Discretisation, Scheme};
+use courant_analysis::symbol::Symbol;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// The allowed error in units of `ε (√N + K) A`; see [`Validation::tolerance`].
+const TOLERANCE_FACTOR: f64 = 16.0;
+
+/// One mode, predicted and measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModeRow {
+    /// Waves on the ring, `m`.
+    pub mode: usize,
+    /// `φ = 2πm/N` in radians.
+    pub phase: f64,
+    /// The amplification factor `g(φ)` of the symbol.
+    pub predicted: Complex64,
+    /// The factor per step seen on the running code.
+    pub measured: Complex64,
+    /// `|measured − predicted|`.
+    pub error: f64,
+}
+
+/// Predicted against measured for all modes of a ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Validation {
+    /// One row per mode, `m = 0, …, ⌊N/2⌋`.
+    pub rows: Vec<ModeRow>,
+    /// Steps done.
+    pub steps: u64,
+    /// The largest error of a row.
+    pub max_error: f64,
+    /// `16 ε (√N + K) A`, with `K` the reach of the stencil and `A = Σ_k |c_k|`, which bounds every gain.
+    ///
+    /// One step, one sum over the ring each way and the table of the roots of unity each leave a few `√N ε`
+    /// of the largest amplitude in an amplitude; the phases `kφ` of the prediction, up to `Kπ`, carry
+    /// `K ε`. The errors of the steps are averaged and so do not add up. 16 leaves a factor of ten
+    /// to a hundred over the largest error met.
+    pub tolerance: f64,
+}
+
+impl Validation {
+    /// Whether every mode agrees.
+    pub fn passed(&self) -> bool {
+        // Written so that an error that is no number does not pass.
+        self.max_error <= self.tolerance
+    }
+}
+
+/// Why a validation cannot be run.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ValidationError {
+    /// The method's numbers.
+    #[error(transparent)]
+    Method(#[from] MethodError),
+    /// There must be particles.
+    #[error(transparent)]
+    Ring(#[from] RingError),
+    /// There must be steps.
+    #[error("a validation takes at least one step")]
+    NoSteps,
+}
+
+/// What `courant validate` runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ValidationPlan {
+    /// Scheme, kernel, ratio.
+    pub discretisation: Discretisation,
+    /// The Courant number.
+    pub courant_number: f64,
+    /// How many particles on the ring.
+    pub particles: usize,
+    /// How many steps.
+    pub steps: u64,
+    /// Which code steps.
+    pub path: PathKind,
+    /// A deliberate error of the stepping code, to see the check fail.
+    pub fault: Option<Fault>,
+}
+
+/// The gain and phase of every mode per step, all modes in one run of `steps` steps.
+///
+/// All modes start with modulus 1 and phases from a seed. After each step every amplitude is compared
+/// with what it was, and its modulus is set back to 1 while its phase goes on: left alone, a mode that
+/// grows would bury one that decays under its rounding errors within some tens of steps. The answer is
+/// the mean over the steps. The translation invariance of the stepper is what lets modes be told apart;
+/// on disordered positions the answer is only the diagonal of the step's matrix in Fourier space.
+///
+/// # Panics
+/// When there are no steps.
+pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) -> Vec<Complex64> {
+    assert!(steps > 0, "a mean needs a step");
+    let modes = RingModes::new(stepper.state().len());
+    let mut random = SplitMix64::new(0x6d6f_6465);
+    let mut amplitudes: Vec<Complex64> = (0..modes.count())
+        .map(|mode| match modes.is_real(mode) {
+            true => Complex64::new(1.0, 0.0),
+            false => Complex64::from_polar(1.0, TAU * random.unit()),
+        })
+        .collect();
+    let mut sums = vec![Complex64::new(0.0, 0.0); modes.count()];
+    for _ in 0..steps {
+        stepper.set_state(&modes.state(&amplitudes));
+        stepper.step();
+        for (mode, (amplitude, sum)) in amplitudes.iter_mut().zip(&mut sums).enumerate() {
+            let after = modes.amplitude(mode, stepper.state());
+            *sum += after / *amplitude;
+            // A mode that is gone has no phase to go on with.
+            if after.norm() > 0.0 {
+                *amplitude = after / after.norm();
+            }
+        }
+    }
+    sums.into_iter().map(|sum| sum / steps as f64).collect()
+}
+
+/// Sets what a stepper does beside what a symbol says.
+///
+/// # Panics
+/// When there are no steps.
+pub fn compare_with_prediction(
+    stepper: &mut (impl Stepper + ?Sized),
+    symbol: &Symbol<f64>,
+    courant_number: f64,
+    steps: u64,
+) -> Validation {
+    let measured = measure_amplification(stepper, steps);
+    let particles = stepper.state().len();
+    let modes = RingModes::new(particles);
+    let rows: Vec<ModeRow> = measured
+        .into_iter()
+        .enumerate()
+        .map(|(mode, measured)| {
+            let phase = modes.phase(mode);
+            let predicted = symbol.amplification(courant_number, phase);
+            let error = (measured - predicted).norm();
+            ModeRow { mode, phase, predicted, measured, error }
+        })
+        .collect();
+    let max_error = largest(rows.iter().map(|row| row.error));
+    let tolerance = tolerance(symbol, courant_number, particles);
+    Validation { rows, steps, max_error, tolerance }
+}
+
+/// The largest of some errors; not a number if any of them is none.
+pub(super) fn largest(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(
+        0.0,
+        |worst: f64, error| {
+            if worst.is_nan() || error <= worst { worst } else { error }
+        },
+    )
+}
+
+fn tolerance(symbol: &Symbol<f64>, courant_number: f64, particles: usize) -> f64 {
+    let (low, high) = symbol.reach().unwrap_or((0, 0));
+    let reach = low.abs().max(high) as f64;
+    let moduli: f64 = (low..=high)
+        .map(|offset| {
+            let powers = symbol.coefficient(offset);
+            let powers = powers.coefficients().iter().rev();
+            powers.fold(0.0, |sum, power| sum * courant_number + power).abs()
+        })
+        .sum();
+    TOLERANCE_FACTOR * f64::EPSILON * ((particles as f64).sqrt() + reach) * moduli.max(1.0)
+}
+
+/// Steps the real scheme and compares each mode with the amplification factor.
+///
+/// The ring has spacing 1, so that distances between particles are exact.
+///
+/// ```
+/// use courant_analysis::{kernel::Kernel, rational::ratio};
+/// use courant_analysis::scheme::{AdvectionScheme, Discretisation};
+/// use courant_simulation::advection::{validate, PathKind, ValidationPlan};
+/// let plan = ValidationPlan {
+///     discretisation: Discretisation::new(
+///         AdvectionScheme::LaxWendroffSph, Kernel::QuinticSpline, ratio(13, 10)).unwrap(),
+///     courant_number: 0.75,
+///     particles: 50,
+///     steps: 100,
+///     path: PathKind::Particles,
+///     fault: None,
+/// };
+/// let validation = validate(&plan).unwrap();
+/// assert!(validation.passed() && validation.max_error < 1e-13);
+/// ```
+///
+/// # Errors
+/// When the Courant number is not positive and finite, or there are no particles or no steps.
+pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
+    let method = Method::of(&plan.discretisation, plan.courant_number);
+    method.check()?;
+    if plan.steps == 0 {
+        return Err(ValidationError::NoSteps);
+    }
+    let ring = Ring::uniform(plan.particles, plan.particles as f64)?;
+    let stepper = plan.path.on_uniform(method, &ring);
+    let symbol = plan.discretisation.symbol().center().compile();
+    let compare = |mut stepper: Box<dyn Stepper>| {
+        compare_with_prediction(&mut stepper, &symbol, plan.courant_number, plan.steps)
+    };
+    Ok(match plan.fault {
+        None => compare(stepper),
+        Some(fault) => compare(Box::new(Faulty::new(stepper, fault))),
+    })
+}
+
+/// Gain and phase per step of one mode over a free run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModeFit {
+    /// `|g|`.
+    pub gain: f64,
+    /// `arg g` in radians, in `(−π, π]` but for rounding.
+    pub phase: f64,
+}
+
+/// Excites one mode as a real wave, steps freely, and takes gain and phase per step as the means of the
+/// changes of `ln|a|` and of the phase.
+///
+/// Nothing is touched in between. Rounding feeds all modes, so the fit holds while
+/// `(max|g| / |g_m|)^steps` stays well below `1/ε`. `None` when the amplitude vanished or overflowed.
+pub fn fit_mode(stepper: &mut (impl Stepper + ?Sized), mode: usize, steps: u64) -> Option<ModeFit> {
+    let modes = RingModes::new(stepper.state().len());
+    let mut amplitudes = vec![Complex64::new(0.0, 0.0); modes.count()];
+    amplitudes[mode] = Complex64::new(1.0, 0.0);
+    stepper.set_state(&modes.state(&amplitudes));
+    let first = modes.amplitude(mode, stepper.state());
+    let (mut before, mut heading, mut turned) = (first, None, 0.0);
+    for _ in 0..steps {
+        stepper.step();
+        let after = modes.amplitude(mode, stepper.state());
+        let change = after * before.conj();
+        // Angles are taken from the first step's: about π itself they would jump by a full turn.
+        let heading = *heading.get_or_insert(change);
+        turned += (change * heading.conj()).arg();
+        before = after;
+    }
+    let ratio = before.norm() / first.norm();
+    let start = heading.map_or(0.0, |change: Complex64| change.arg());
+    (ratio.is_finite() && ratio > 0.0).then(|| ModeFit {
+        gain: (ratio.ln() / steps as f64).exp(),
+        phase: start + turned / steps as f64,
+    })
+}

@@ -1,0 +1,125 @@
+//! Particle positions on a periodic line, and the volume each particle stands for.
+
+use super::random::SplitMix64;
+
+/// Particles on a periodic line of a given length, in ascending order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ring {
+    length: f64,
+    positions: Vec<f64>,
+    volumes: Vec<f64>,
+}
+
+/// Why positions make no ring.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum RingError {
+    /// There must be particles.
+    #[error("a ring needs at least one particle")]
+    Empty,
+    /// There must be room for them.
+    #[error("the length {0} of a ring must be positive and finite")]
+    Length(f64),
+    /// Positions must ascend strictly within `[0, length)`.
+    #[error(
+        "the position {position} of particle {index} is not in [0, length) above its neighbour's"
+    )]
+    Position {
+        /// Which particle.
+        index: usize,
+        /// Where it is.
+        position: f64,
+    },
+    /// Neighbours displaced by half a spacing could meet.
+    #[error("the disorder {0} must be at least 0 and below 0.5 spacings")]
+    Disorder(f64),
+}
+
+impl Ring {
+    /// `ξ_j = (j + 1/2) Δξ` with `Δξ = length/particles`. The particles sit in the middle of equal cells,
+    /// so that a jump of the data on a cell's edge falls on no particle. With `length = particles` the
+    /// spacing is 1 and differences of positions carry no rounding.
+    ///
+    /// # Errors
+    /// When there are no particles or no length.
+    pub fn uniform(particles: usize, length: f64) -> Result<Self, RingError> {
+        let spacing = checked_spacing(particles, length)?;
+        let positions = (0..particles).map(|j| (j as f64 + 0.5) * spacing).collect();
+        Ok(Self { length, positions, volumes: vec![spacing; particles] })
+    }
+
+    /// The uniform ring with each particle displaced by a uniformly distributed amount within
+    /// `± disorder Δξ`; volumes by Voronoi cells.
+    ///
+    /// # Errors
+    /// As [`uniform`](Self::uniform), and when the disorder is not in `[0, 0.5)`.
+    pub fn disordered(
+        particles: usize,
+        length: f64,
+        disorder: f64,
+        seed: u64,
+    ) -> Result<Self, RingError> {
+        if !(0.0..0.5).contains(&disorder) {
+            return Err(RingError::Disorder(disorder));
+        }
+        let spacing = checked_spacing(particles, length)?;
+        let mut random = SplitMix64::new(seed);
+        let positions = (0..particles)
+            .map(|j| (j as f64 + 0.5 + disorder * random.symmetric()) * spacing)
+            .collect();
+        Self::from_positions(positions, length)
+    }
+
+    /// From positions, with Voronoi volumes `V_j = (ξ_{j+1} − ξ_{j−1})/2`.
+    ///
+    /// # Errors
+    /// When the positions do not ascend strictly within `[0, length)`.
+    pub fn from_positions(positions: Vec<f64>, length: f64) -> Result<Self, RingError> {
+        checked_spacing(positions.len(), length)?;
+        let mut previous = f64::NEG_INFINITY;
+        for (index, &position) in positions.iter().enumerate() {
+            if !(position >= 0.0 && position < length && position > previous) {
+                return Err(RingError::Position { index, position });
+            }
+            previous = position;
+        }
+        let count = positions.len();
+        let volumes = (0..count)
+            .map(|j| {
+                let left = if j == 0 { positions[count - 1] - length } else { positions[j - 1] };
+                let right = if j + 1 == count { positions[0] + length } else { positions[j + 1] };
+                0.5 * (right - left)
+            })
+            .collect();
+        Ok(Self { length, positions, volumes })
+    }
+
+    /// The period of the line.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// `ξ_j`, ascending.
+    pub fn positions(&self) -> &[f64] {
+        &self.positions
+    }
+
+    /// `V_j`; they add up to the length.
+    pub fn volumes(&self) -> &[f64] {
+        &self.volumes
+    }
+
+    /// The mean spacing `Δξ`.
+    pub fn spacing(&self) -> f64 {
+        self.length / self.positions.len() as f64
+    }
+}
+
+fn checked_spacing(particles: usize, length: f64) -> Result<f64, RingError> {
+    if particles == 0 {
+        return Err(RingError::Empty);
+    }
+    if !(length > 0.0 && length.is_finite()) {
+        return Err(RingError::Length(length));
+    }
+    Ok(length / particles as f64)
+}

@@ -1,0 +1,32 @@
+mod paths;
+mod runs;
+mod stability;
+mod validation;
+
+use super::*;
+use courant_analysis::kernel::Kernel;
+use courant_analysis::rational::{Rational, parse, to_f64};
+use courant_analysis::scheme::{AdvectionScheme, Discretisation};
+
+fn discretisation(scheme: AdvectionScheme, kernel: Kernel, ratio: &str) -> Discretisation {
+    Discretisation::new(scheme, kernel, exact(ratio)).unwrap()
+}
+
+fn exact(text: &str) -> Rational {
+    parse(text).unwrap()
+}
+
+fn method(scheme: AdvectionScheme, kernel: Kernel, ratio: &str, courant_number: f64) -> Method {
+    Method { scheme, kernel, ratio: to_f64(&exact(ratio)), courant_number }
+}
+
+/// Noise between −1 and 1.
+fn noise(count: usize, seed: u64) -> Vec<f64> {
+    let mut random = SplitMix64::new(seed);
+    (0..count).map(|_| random.symmetric()).collect()
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}

@@ -1,0 +1,297 @@
+//! Neighbours, the two paths, and what they keep.
+
+use super::*;
+use courant_analysis::lattice::LatticeWeights;
+use courant_analysis::scheme::Scheme;
+use proptest::prelude::*;
+
+/// Ratios where a lattice point falls on the edge of a support (1, 4/3, 2/3, 10/3, 5, 0.3 typed as a
+/// decimal, …) and where none does.
+const RATIOS: [&str; 10] = ["1", "4/3", "2/3", "10/3", "1.3", "1.2", "0.3", "2", "2.5", "5"];
+
+#[test]
+fn neighbours_are_those_of_all_pairs() {
+    for (particles, disorder, reach) in
+        [(1, 0.0, 0.7), (3, 0.3, 2.2), (17, 0.49, 0.21), (60, 0.2, 0.05), (8, 0.1, 0.5)]
+    {
+        let ring = Ring::disordered(particles, 1.0, disorder, 5).unwrap();
+        let found = Neighbours::find(&ring, reach);
+        assert_eq!(found.particles(), particles);
+        let mut pairs = 0;
+        for (i, x) in ring.positions().iter().enumerate() {
+            let mut expected: Vec<(f64, u32)> = Vec::new();
+            for period in -4..=4 {
+                for (j, y) in (0u32..).zip(ring.positions()) {
+                    let displacement = y - x + f64::from(period);
+                    if displacement.abs() <= reach {
+                        expected.push((displacement, j));
+                    }
+                }
+            }
+            expected.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (start, own, end) = found.row(i);
+            assert_eq!(found.indices()[own] as usize, i);
+            assert_eq!(found.displacements()[own], 0.0);
+            let row: Vec<_> = (start..end)
+                .map(|entry| (found.displacements()[entry], found.indices()[entry]))
+                .collect();
+            assert_eq!(row, expected);
+            pairs += row.len() as u64 - 1;
+        }
+        assert_eq!(found.pairs(), pairs);
+    }
+}
+
+#[test]
+fn the_edge_of_the_support_is_decided_as_the_analysis_does() {
+    for ratio in RATIOS {
+        let weights = LatticeWeights::new(Kernel::Gaussian, &exact(ratio)).unwrap();
+        let reach = weights.reach();
+        for (particles, length) in [(40, 40.0), (200, 1.0), (997, 1.0), (20_000, 1.0)] {
+            let ring = Ring::uniform(particles, length).unwrap();
+            let support = 3.0 * to_f64(&exact(ratio)) * ring.spacing();
+            let found = Neighbours::find(&ring, support);
+            assert_eq!(found.pairs(), (2 * reach * particles) as u64, "{ratio} on {particles}");
+        }
+        let coefficients = LatticeCoefficients::new(method(
+            AdvectionScheme::EulerSph,
+            Kernel::Gaussian,
+            ratio,
+            1.0,
+        ));
+        assert_eq!((coefficients.left, coefficients.right()), (reach, reach), "{ratio}");
+    }
+}
+
+#[test]
+fn a_ratio_short_by_a_rounding_keeps_the_edge() {
+    let exact_ratio = method(AdvectionScheme::GodunovSph, Kernel::Gaussian, "4/3", 1.0);
+    let rounded = Method { ratio: exact_ratio.ratio.next_down(), ..exact_ratio };
+    assert!(3.0 * rounded.ratio < 4.0 && 4.0 / rounded.ratio > 3.0);
+    let (exact, rounded) =
+        (LatticeCoefficients::new(exact_ratio), LatticeCoefficients::new(rounded));
+    assert_eq!(rounded.left, 4);
+    assert!(rounded.values[0] > 1e-4 && distance(&exact.values, &rounded.values) < 1e-14);
+}
+
+#[test]
+fn the_edge_has_its_weight_on_every_ring() {
+    // On [0, 1] the smoothing length and the distances are rounded anew for every number of particles.
+    for ratio in ["1", "4/3", "10/3"] {
+        let method = method(AdvectionScheme::GodunovSph, Kernel::Gaussian, ratio, 0.5);
+        for particles in 20..200 {
+            let start = noise(particles, 12);
+            let ring = Ring::uniform(particles, 1.0).unwrap();
+            let [a, b] = PathKind::ALL.map(|kind| {
+                let mut stepper = kind.on_uniform(method, &ring);
+                stepper.set_state(&start);
+                stepper.step();
+                stepper.state().to_vec()
+            });
+            // The weight at the edge is above 1e-5; distances are right to 1e-16 N.
+            assert!(distance(&a, &b) < 1e-12, "{ratio} {particles}");
+        }
+    }
+}
+
+#[test]
+fn lattice_coefficients_are_the_exact_stencil() {
+    for scheme in AdvectionScheme::ALL {
+        for kernel in Kernel::ALL {
+            for ratio in RATIOS {
+                let symbol = discretisation(scheme, kernel, ratio).symbol();
+                let stencil = symbol.center().at_courant_number(&exact("7/8"));
+                let found = LatticeCoefficients::new(method(scheme, kernel, ratio, 0.875));
+                // Kernel values are right to 1e-13 of numbers below 1; small ratios enlarge them.
+                let tolerance = 1e-13 * to_f64(&exact(ratio)).powi(-3).max(1.0);
+                for offset in -16i64..=16 {
+                    let index = offset + found.left as i64;
+                    let value = usize::try_from(index).ok().and_then(|i| found.values.get(i));
+                    let value = value.copied().unwrap_or(0.0);
+                    let expected = to_f64(&stencil.coefficient(offset));
+                    assert!(
+                        (value - expected).abs() < tolerance,
+                        "{scheme} {kernel} {ratio} {offset}: {value} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn both_paths_agree_on_the_uniform_lattice() {
+    for scheme in AdvectionScheme::ALL {
+        for kernel in Kernel::ALL {
+            for ratio in RATIOS {
+                let method = method(scheme, kernel, ratio, 0.4);
+                let start = noise(50, 3);
+                let ring = Ring::uniform(50, 50.0).unwrap();
+                let mut particles = ParticlePath::new(method, &ring);
+                let mut lattice = LatticePath::new(method, 50);
+                particles.set_state(&start);
+                lattice.set_state(&start);
+                let moduli: f64 = lattice.coefficients().values.iter().map(|c| c.abs()).sum();
+                let mut allowed = 0.0;
+                for _ in 0..20 {
+                    particles.step();
+                    lattice.step();
+                    // Each step multiplies the difference by at most the sum of the moduli and adds the
+                    // rounding of at most 33 terms and their weights.
+                    let size = particles.state().iter().fold(0.0f64, |m, v| m.max(v.abs()));
+                    allowed = moduli * (allowed + 64.0 * f64::EPSILON * size.max(1.0));
+                    assert!(
+                        distance(particles.state(), lattice.state()) <= allowed,
+                        "{scheme} {kernel} {ratio}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The update with indices taken modulo the ring, one coefficient after the other.
+fn plain_step(coefficients: &LatticeCoefficients, values: &[f64]) -> Vec<f64> {
+    let count = values.len() as i64;
+    (0..count)
+        .map(|i| {
+            (-(coefficients.left as i64)..)
+                .zip(&coefficients.values)
+                .fold(0.0, |sum, (k, c)| sum + c * values[(i + k).rem_euclid(count) as usize])
+        })
+        .collect()
+}
+
+#[test]
+fn the_lattice_path_is_the_plain_loop_bit_by_bit() {
+    for (width, left) in [(1, 0), (2, 1), (3, 0), (8, 3), (9, 8), (16, 2), (31, 15)] {
+        let coefficients = LatticeCoefficients { values: noise(width, 9), left };
+        for particles in [1, 2, 7, 30, 1025, 3000] {
+            let mut path = LatticePath::with_coefficients(coefficients.clone(), particles);
+            let mut values = noise(particles, 4);
+            path.set_state(&values);
+            for _ in 0..3 {
+                values = plain_step(&coefficients, &values);
+                path.step();
+                assert_eq!(path.state(), values, "{width} {left} {particles}");
+            }
+        }
+    }
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    const COUNT: usize = 70_000; // above the sizes from which both paths are split
+    let method = method(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, "2", 0.8);
+    let start = noise(COUNT, 8);
+    let ring = Ring::disordered(COUNT, 1.0, 0.2, 6).unwrap();
+    let end = |threads: usize, mut stepper: Box<dyn Stepper + Send>| -> Vec<f64> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        stepper.set_state(&start);
+        pool.install(|| (0..3).for_each(|_| stepper.step()));
+        stepper.state().to_vec()
+    };
+    let lattice = LatticePath::new(method, COUNT);
+    let particles = ParticlePath::new(method, &ring);
+    assert_eq!(end(1, Box::new(lattice.clone())), end(3, Box::new(lattice.clone())));
+    assert_eq!(end(1, Box::new(particles.clone())), end(3, Box::new(particles)));
+    let mut plain = start.clone();
+    (0..3).for_each(|_| plain = plain_step(lattice.coefficients(), &plain));
+    assert_eq!(end(2, Box::new(lattice)), plain);
+}
+
+#[test]
+fn the_exact_shift_shifts() {
+    let method = method(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "1", 1.0);
+    let start = noise(40, 2);
+    let mut expected = start.clone();
+    expected.rotate_right(13);
+    for kind in PathKind::ALL {
+        let mut stepper = kind.on_uniform(method, &Ring::uniform(40, 40.0).unwrap());
+        stepper.set_state(&start);
+        (0..13).for_each(|_| stepper.step());
+        // The particle path computes u − (u − u_left); its rounding is that of 13 such differences.
+        assert!(distance(stepper.state(), &expected) < 13.0 * 4.0 * f64::EPSILON, "{kind:?}");
+    }
+}
+
+#[test]
+fn godunov_conserves_on_any_positions() {
+    // The pair (i, j) exchanges V_i V_j W' f: what one gives the other takes.
+    for disorder in [0.0, 0.1, 0.4] {
+        let ring = Ring::disordered(64, 1.0, disorder, 1).unwrap();
+        let method = method(AdvectionScheme::GodunovSph, Kernel::QuinticSpline, "1.7", 0.3);
+        let mut stepper = ParticlePath::new(method, &ring);
+        stepper.set_state(&noise(64, 7));
+        let total = |values: &[f64]| -> f64 {
+            values.iter().zip(ring.volumes()).map(|(value, volume)| value * volume).sum()
+        };
+        let before = total(stepper.state());
+        (0..200).for_each(|_| stepper.step());
+        assert!((total(stepper.state()) - before).abs() < 200.0 * 64.0 * f64::EPSILON);
+    }
+}
+
+#[test]
+fn the_mean_drifts_only_where_the_symbol_says_so() {
+    for (scheme, ratio) in [
+        (AdvectionScheme::GodunovSph, "1.3"),
+        (AdvectionScheme::EulerSph, "1.3"),
+        (AdvectionScheme::LaxWendroffSph, "2"),
+        (AdvectionScheme::LaxWendroffSph, "1.3"),
+    ] {
+        let discretisation = discretisation(scheme, Kernel::CubicSpline, ratio);
+        let symbol = discretisation.symbol();
+        let factor = symbol.center().compile().amplification(0.25, 0.0).re;
+        let mut stepper = LatticePath::new(Method::of(&discretisation, 0.25), 30);
+        stepper.set_state(&[1.0; 30]);
+        (0..50).for_each(|_| stepper.step());
+        let expected = factor.powi(50);
+        assert!((stepper.state()[11] - expected).abs() < 50.0 * 8.0 * f64::EPSILON);
+        assert_eq!((expected - 1.0).abs() < 1e-12, symbol.keeps_constants(), "{scheme} {ratio}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_shifted_start_gives_the_shifted_end(
+        seed in 0u64..1000, shift in 1usize..30, scheme in 0usize..3, courant_number in 0.05f64..1.5
+    ) {
+        let method = method(AdvectionScheme::ALL[scheme], Kernel::WendlandC4, "1.6", courant_number);
+        let start = noise(30, seed);
+        let mut shifted = start.clone();
+        shifted.rotate_right(shift);
+        let ring = Ring::uniform(30, 30.0).unwrap();
+        for kind in PathKind::ALL {
+            let run = |values: &[f64]| {
+                let mut stepper = kind.on_uniform(method, &ring);
+                stepper.set_state(values);
+                (0..5).for_each(|_| stepper.step());
+                stepper.state().to_vec()
+            };
+            let mut expected = run(&start);
+            expected.rotate_right(shift);
+            // With spacing 1 every particle sees the same distances: not a bit may differ.
+            prop_assert_eq!(run(&shifted), expected);
+        }
+    }
+
+    #[test]
+    fn volumes_fill_the_ring(particles in 1usize..80, disorder in 0.0f64..0.49, seed in 0u64..99) {
+        let ring = Ring::disordered(particles, 3.0, disorder, seed).unwrap();
+        let total: f64 = ring.volumes().iter().sum();
+        prop_assert!((total - 3.0).abs() < 1e-13);
+        prop_assert!(ring.volumes().iter().all(|&volume| volume > 0.0));
+    }
+}
+
+#[test]
+fn impossible_rings_are_refused() {
+    assert_eq!(Ring::uniform(0, 1.0), Err(RingError::Empty));
+    assert_eq!(Ring::uniform(3, 0.0), Err(RingError::Length(0.0)));
+    assert_eq!(Ring::disordered(3, 1.0, 0.5, 0), Err(RingError::Disorder(0.5)));
+    let twice = Ring::from_positions(vec![0.1, 0.1], 1.0);
+    assert_eq!(twice, Err(RingError::Position { index: 1, position: 0.1 }));
+    let outside = Ring::from_positions(vec![0.1, 1.0], 1.0);
+    assert_eq!(outside, Err(RingError::Position { index: 1, position: 1.0 }));
+}

@@ -1,0 +1,197 @@
+//! Predicted against measured, mode by mode.
+
+use super::*;
+use crate::advection::amplification::largest;
+use courant_analysis::limit::stability_limit;
+use courant_analysis::rational::integer;
+use courant_analysis::scheme::Scheme;
+use num_complex::Complex64;
+use std::f64::consts::{PI, TAU};
+
+fn plan(discretisation: Discretisation, courant_number: f64, path: PathKind) -> ValidationPlan {
+    ValidationPlan { discretisation, courant_number, particles: 64, steps: 100, path, fault: None }
+}
+
+#[test]
+fn every_scheme_and_kernel_agrees_when_stable_neutral_and_unstable() {
+    let mut worst = (0.0, 0.0);
+    for scheme in AdvectionScheme::ALL {
+        for kernel in Kernel::ALL {
+            for ratio in ["1", "4/3", "1.3", "2"] {
+                let discretisation = discretisation(scheme, kernel, ratio);
+                let limit = stability_limit(&discretisation.symbol(), &integer(10)).value();
+                let limit = if limit > 0.0 && limit.is_finite() { limit } else { 1.0 };
+                for courant_number in [0.5 * limit, limit, 3.0 * limit] {
+                    for path in PathKind::ALL {
+                        let plan = plan(discretisation.clone(), courant_number, path);
+                        let validation = validate(&plan).unwrap();
+                        let label = format!("{scheme} {kernel} {ratio} {courant_number} {path:?}");
+                        assert!(validation.max_error < 1e-12, "{label}: {}", validation.max_error);
+                        assert!(validation.passed(), "{label}: {}", validation.max_error);
+                        let share = validation.max_error / validation.tolerance;
+                        if share > worst.0 {
+                            worst = (share, validation.max_error);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    // The tolerance is no looser than it claims: some case comes within a factor of a hundred.
+    assert!(worst.0 > 0.01 && worst.0 < 0.2, "{worst:?}");
+}
+
+#[test]
+fn a_coefficient_off_by_a_billionth_fails() {
+    for scheme in AdvectionScheme::ALL {
+        for kernel in Kernel::ALL {
+            for path in PathKind::ALL {
+                for (offset, by) in [(-1, 1e-9), (0, -1e-9), (2, 1e-9)] {
+                    let mut plan = plan(discretisation(scheme, kernel, "2"), 0.7, path);
+                    plan.fault = Some(Fault { offset, by });
+                    let validation = validate(&plan).unwrap();
+                    assert!(!validation.passed(), "{scheme} {kernel} {path:?} {offset}");
+                    // The fault is seen at its size: |1e-9 e^{ikφ}|.
+                    assert!((validation.max_error - 1e-9).abs() < 1e-12);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_mutated_stencil_and_a_wrong_symbol_fail() {
+    let discretisation = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "2");
+    let symbol = discretisation.symbol().center().compile();
+    let mut coefficients = LatticeCoefficients::new(Method::of(&discretisation, 1.2));
+    let mut sound = LatticePath::with_coefficients(coefficients.clone(), 50);
+    assert!(compare_with_prediction(&mut sound, &symbol, 1.2, 100).passed());
+    assert!(!compare_with_prediction(&mut sound, &symbol, 1.2 + 1e-9, 100).passed());
+    coefficients.values[1] += 1e-9;
+    let mut mutated = LatticePath::with_coefficients(coefficients.clone(), 50);
+    assert!(!compare_with_prediction(&mut mutated, &symbol, 1.2, 100).passed());
+    // A stepper that yields no numbers does not pass either.
+    coefficients.values[1] = f64::NAN;
+    let mut broken = LatticePath::with_coefficients(coefficients, 50);
+    assert!(!compare_with_prediction(&mut broken, &symbol, 1.2, 100).passed());
+}
+
+#[test]
+fn a_free_run_is_the_power_of_the_factor() {
+    // Nothing levelled: a wave after n steps is g^n times itself, modes that grow and that decay.
+    for (scheme, courant_number) in
+        [(AdvectionScheme::GodunovSph, 1.7), (AdvectionScheme::LaxWendroffSph, 0.9)]
+    {
+        let discretisation = discretisation(scheme, Kernel::QuarticSpline, "1.5");
+        let symbol = discretisation.symbol().center().compile();
+        let (particles, steps) = (48, 40);
+        for mode in 0..=particles / 2 {
+            let phase = TAU * mode as f64 / particles as f64;
+            let power = symbol.amplification(courant_number, phase).powu(steps);
+            let mut stepper =
+                LatticePath::new(Method::of(&discretisation, courant_number), particles);
+            let wave: Vec<f64> = (0..particles).map(|j| (phase * j as f64).cos()).collect();
+            stepper.set_state(&wave);
+            (0..steps).for_each(|_| stepper.step());
+            let expected: Vec<f64> = (0..particles)
+                .map(|j| (power * Complex64::from_polar(1.0, phase * j as f64)).re)
+                .collect();
+            // 40 steps of rounding, amplified by at most the growth of the fastest wave.
+            let growth = (0..=particles / 2)
+                .map(|m| symbol.amplification(courant_number, TAU * m as f64 / 48.0).norm())
+                .fold(1.0, f64::max);
+            let allowed = 64.0 * 16.0 * f64::EPSILON * growth.powi(steps as i32);
+            assert!(distance(stepper.state(), &expected) < allowed, "{scheme} {mode}");
+        }
+    }
+}
+
+#[test]
+fn fitted_gain_and_phase_are_those_of_the_symbol() {
+    let discretisation = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "2");
+    let symbol = discretisation.symbol().center().compile();
+    for courant_number in [0.8, 1.95] {
+        for mode in [1, 3, 7, 16] {
+            let mut stepper = LatticePath::new(Method::of(&discretisation, courant_number), 32);
+            let fit = fit_mode(&mut stepper, mode, 12).unwrap();
+            let predicted = symbol.amplification(courant_number, TAU * mode as f64 / 32.0);
+            // The fit's factor, so that a phase of ±π is one.
+            let fitted = Complex64::from_polar(fit.gain, fit.phase);
+            assert!((fitted - predicted).norm() < 1e-12, "{mode}: {fitted} {predicted}");
+        }
+    }
+}
+
+#[test]
+fn the_ring_transform_is_its_definition_and_leads_back() {
+    for particles in [1, 2, 9, 24] {
+        let modes = RingModes::new(particles);
+        let values = noise(particles, 11);
+        let amplitudes: Vec<_> = (0..modes.count()).map(|m| modes.amplitude(m, &values)).collect();
+        for (mode, amplitude) in amplitudes.iter().enumerate() {
+            let plain: Complex64 = (0..particles)
+                .map(|j| values[j] * Complex64::new(0.0, -modes.phase(mode) * j as f64).exp())
+                .sum();
+            assert!((amplitude - plain / particles as f64).norm() < 1e-14);
+        }
+        assert!(distance(&modes.state(&amplitudes), &values) < 1e-14);
+        assert!((modes.phase(modes.count() - 1) - PI).abs() <= PI / particles as f64 + 1e-15);
+    }
+}
+
+#[test]
+fn small_rings_and_wide_kernels_agree() {
+    // Kernels that reach around the ring several times, and one particle that is its own neighbour.
+    for (particles, ratio) in [(1, "2"), (2, "2"), (3, "10"), (7, "4.3"), (255, "10"), (256, "7/3")]
+    {
+        for scheme in AdvectionScheme::ALL {
+            for path in PathKind::ALL {
+                let mut plan = plan(discretisation(scheme, Kernel::Gaussian, ratio), 1.3, path);
+                plan.particles = particles;
+                plan.steps = 10;
+                let validation = validate(&plan).unwrap();
+                assert_eq!(validation.rows.len(), particles / 2 + 1);
+                assert!(validation.passed(), "{particles} {ratio} {scheme} {path:?}");
+                assert!(validation.tolerance < 1e-12 * if particles < 200 { 1.0 } else { 10.0 });
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wave_that_vanishes_in_one_step_is_measured() {
+    // Upwind at C = 1/2: g(π) = 0 exactly.
+    let upwind = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "1");
+    for particles in [2, 64] {
+        let plan = ValidationPlan { particles, ..plan(upwind.clone(), 0.5, PathKind::Lattice) };
+        let validation = validate(&plan).unwrap();
+        assert!(validation.passed(), "{}", validation.max_error);
+        assert!(validation.rows[particles / 2].measured.norm() < 1e-14);
+    }
+    let nothing = LatticeCoefficients { values: vec![0.0], left: 0 };
+    let mut stepper = LatticePath::with_coefficients(nothing, 9);
+    let measured = measure_amplification(&mut stepper, 5);
+    assert_eq!(measured, vec![Complex64::new(0.0, 0.0); 5]);
+}
+
+#[test]
+fn an_error_that_is_no_number_comes_out_on_top() {
+    assert_eq!(largest([1.0, 3.0, 2.0].into_iter()), 3.0);
+    assert!(largest([1.0, f64::NAN, 2.0].into_iter()).is_nan());
+    assert!(largest([f64::NAN].into_iter()).is_nan());
+}
+
+#[test]
+fn impossible_validations_are_refused() {
+    let good = plan(
+        discretisation(AdvectionScheme::EulerSph, Kernel::CubicSpline, "2"),
+        1.0,
+        PathKind::Particles,
+    );
+    let refused = |plan: ValidationPlan| validate(&plan).unwrap_err();
+    let none = ValidationPlan { particles: 0, ..good.clone() };
+    assert_eq!(refused(none), ValidationError::Ring(RingError::Empty));
+    assert_eq!(refused(ValidationPlan { steps: 0, ..good.clone() }), ValidationError::NoSteps);
+    let still = ValidationPlan { courant_number: 0.0, ..good };
+    assert_eq!(refused(still), ValidationError::Method(MethodError::CourantNumber(0.0)));
+}

@@ -1,0 +1,307 @@
+//! The scheme against a plain double sum, its conservation, its order, its work.
+
+use super::flux::{ContactViscosity, Exact, Flux, LagrangianFlux, ModifiedRoe, RoeMean};
+use super::{LagrangianOptions, LagrangianScheme, LagrangianState, Lattice, StepRule};
+use crate::comparison::Comparison;
+use crate::method::Method;
+use crate::riemann::IdealGas;
+use crate::run::{Reason, Run};
+use crate::scene::{Scene, ShockTube, SimpleWave, WaveData};
+use courant_analysis::kernel::Kernel;
+
+fn tube(name: &str) -> ShockTube {
+    ShockTube::standard(name).expect("it is in the list")
+}
+
+fn wave(end_time: f64) -> SimpleWave {
+    SimpleWave::new(WaveData { amplitude: 0.1, gamma: 1.4, end_time, particles: 100 })
+        .expect("smooth")
+}
+
+fn fluxes() -> [Flux; 4] {
+    let consistent =
+        ModifiedRoe { mean: RoeMean::Volume, contact: ContactViscosity::MassFlux(0.2) };
+    [
+        Flux::Exact,
+        Flux::Rusanov,
+        Flux::ModifiedRoe(ModifiedRoe::default()),
+        Flux::ModifiedRoe(consistent),
+    ]
+}
+
+fn run(scene: &dyn Scene, particles: usize, options: LagrangianOptions) -> Run {
+    Method::Lagrangian(options).run(scene, particles).expect("the options are valid")
+}
+
+/// (3.9) as a sum over all `j` with the kernel's gradient, the pair oriented by the mass
+/// coordinate, ghosts by index: no lattice, no shared flux, no order.
+fn plain_step(
+    gas: IdealGas,
+    states: &[LagrangianState],
+    spacing: f64,
+    step: f64,
+    options: &LagrangianOptions,
+) -> Vec<[f64; 3]> {
+    let length = options.ratio * spacing;
+    let count = states.len() as i64;
+    let at = |j: i64| &states[j.clamp(0, count - 1) as usize];
+    (0..count)
+        .map(|i| {
+            let mut u = at(i).conserved();
+            for j in i - 50..=i + 50 {
+                let distance = (i - j) as f64 * spacing;
+                let q = distance.abs() / length;
+                // ∂W/∂ξ_i: the sign of ξ_i − ξ_j times w'(q)/l².
+                let gradient = distance.signum() * options.kernel.slope(q) / (length * length);
+                if i == j || gradient == 0.0 {
+                    continue;
+                }
+                let flux = if i < j {
+                    options.flux.flux(gas, at(i), at(j))
+                } else {
+                    options.flux.flux(gas, at(j), at(i))
+                };
+                for c in 0..3 {
+                    u[c] -= 2.0 * step * spacing * flux[c] * gradient;
+                }
+            }
+            u
+        })
+        .collect()
+}
+
+#[test]
+fn a_step_is_the_plain_double_sum() {
+    let tube = tube("ferrari1");
+    for kernel in Kernel::ALL {
+        for (ratio, flux) in [1.3, 2.0, 2.7, 4.0].into_iter().zip(fluxes()) {
+            let options = LagrangianOptions { kernel, ratio, ..LagrangianOptions::new(flux) };
+            let mut scheme =
+                LagrangianScheme::new(&tube, 60, &options, flux).expect("the options are valid");
+            for _ in 0..3 {
+                let step = 0.3 * scheme.courant_step();
+                let before = scheme.states().to_vec();
+                let positions = scheme.positions().to_vec();
+                let wanted = plain_step(tube.gas(), &before, scheme.spacing(), step, &options);
+                scheme.advance(step).expect("a small step stays physical");
+                for (i, (state, wanted)) in scheme.states().iter().zip(&wanted).enumerate() {
+                    for (found, wanted) in state.conserved().iter().zip(wanted) {
+                        // Round-off of a sum of some twenty terms; the largest V is 8.
+                        assert!((found - wanted).abs() < 1e-13);
+                    }
+                    // (3.16) as printed.
+                    let v = before[i].velocity;
+                    let acceleration = (wanted[1] - v) / step;
+                    let x = positions[i] + v * step + 0.5 * acceleration * step * step;
+                    assert!((scheme.positions()[i] - x).abs() < 1e-14);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_flux_conserves_to_round_off() {
+    let wave = wave(0.4);
+    let mut scenes: Vec<(&dyn Scene, usize)> = vec![(&wave, 64)];
+    let tubes = ["ferrari1", "ferrari2", "ferrari3", "ferrari4", "sod", "toro4", "toro5"].map(tube);
+    scenes.extend(tubes.iter().map(|tube| (tube as &dyn Scene, 100)));
+    for (scene, particles) in scenes {
+        for flux in fluxes() {
+            let run = run(scene, particles, LagrangianOptions::new(flux));
+            assert!(run.completed(), "{} {flux:?}: {:?}", scene.name(), run.failure);
+            // Every step rounds each of the totals, a sum of about 100 numbers, a few times.
+            let bound = f64::EPSILON * (run.steps as f64 + 30.0);
+            let drift = run.conservation;
+            for (what, value) in [
+                ("volume", drift.volume.expect("the scheme advances it")),
+                ("momentum", drift.momentum),
+                ("energy", drift.energy),
+            ] {
+                assert!(value.abs() < bound, "{} {flux:?}: {what} {value:e}", scene.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_threads() {
+    let tube = tube("ferrari3");
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("threads can be started");
+        // Long enough that the loops are shared.
+        let options = LagrangianOptions { max_steps: 20, ..LagrangianOptions::new(Flux::Exact) };
+        pool.install(|| run(&tube, 5000, options))
+    };
+    let alone = with(1);
+    assert_eq!(alone.failure.map(|failure| failure.reason), Some(Reason::StepLimit { limit: 20 }));
+    for threads in [2, 3, 8] {
+        assert_eq!(with(threads), alone);
+    }
+}
+
+#[test]
+fn smooth_waves_converge_at_first_order() {
+    let wave = wave(0.5);
+    for flux in fluxes() {
+        let errors: Vec<f64> = [100, 200, 400]
+            .into_iter()
+            .map(|particles| {
+                let run = run(&wave, particles, LagrangianOptions::new(flux));
+                // Particles may have drifted over the ends of the period.
+                let comparison = Comparison::inside(&wave, &run, [-1.0, 2.0]);
+                assert_eq!(comparison.inside, particles);
+                comparison.l1.density
+            })
+            .collect();
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            // First order, and from N = 100 on nothing is far from it.
+            assert!((0.85..1.15).contains(&order), "{flux:?}: {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn halving_the_step_does_not_change_the_limit() {
+    // The error of the step is first order too: the fluxes see the state at the start of it.
+    let wave = wave(0.5);
+    let at = |cfl: f64| {
+        let options = LagrangianOptions { cfl, ..LagrangianOptions::new(Flux::Exact) };
+        run(&wave, 100, options).profile
+    };
+    let distance = |a: &[f64], b: &[f64]| {
+        a.iter().zip(b).map(|(a, b)| (a - b).abs()).sum::<f64>() / a.len() as f64
+    };
+    let (coarse, middle, fine) = (at(0.4), at(0.2), at(0.1));
+    let ratio =
+        distance(&coarse.density, &middle.density) / distance(&middle.density, &fine.density);
+    assert!((1.8..2.2).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn test_4_fails_at_a_step_from_the_initial_data() {
+    let tube = tube("ferrari4");
+    for flux in fluxes() {
+        let with = |step| LagrangianOptions { step, ..LagrangianOptions::new(flux) };
+        assert!(run(&tube, 100, with(StepRule::Current)).completed());
+        let failed = run(&tube, 100, with(StepRule::Initial));
+        let failure = failed.failure.expect("the real Courant number is about 4");
+        assert!(failure.step <= 5 && failure.time < 0.1 * tube.end_time(), "{failure}");
+        assert!(failure.reason.particle().is_some());
+        // With a quarter of the step it passes.
+        let small = LagrangianOptions { cfl: 0.2, ..with(StepRule::Initial) };
+        assert!(run(&tube, 100, small).completed());
+    }
+    // C* of the right star state over the initial maximum, from the exact solution.
+    let (solution, _) = tube.riemann().expect("a tube is a Riemann problem");
+    let gas = tube.gas();
+    let star = gas.lagrangian_sound_speed(solution.densities().1, solution.pressure());
+    let first = gas.lagrangian_sound_speed(5.99924, 460.894);
+    assert!((star / first - 4.358).abs() < 1e-3, "{}", star / first);
+}
+
+#[test]
+fn the_roe_means_differ_in_test_4() {
+    let tube = tube("ferrari4");
+    let error = |mean| {
+        let roe = ModifiedRoe { mean, contact: ContactViscosity::Printed(0.0) };
+        let run = run(&tube, 100, LagrangianOptions::new(Flux::ModifiedRoe(roe)));
+        Comparison::new(&tube, &run).l1.density
+    };
+    let (printed, consistent) = (error(RoeMean::Density), error(RoeMean::Volume));
+    assert!((printed - consistent).abs() > 0.01 * consistent, "{printed} {consistent}");
+}
+
+#[test]
+fn the_work_is_one_flux_per_pair() {
+    let tube = tube("sod");
+    let run = run(&tube, 100, LagrangianOptions::new(Flux::Rusanov));
+    // Offsets 1, 2, 3 and as many ghosts on one side.
+    assert_eq!(run.pairs, run.steps as u64 * (101 + 102 + 103));
+    assert_eq!(run.steps, 47);
+}
+
+#[test]
+fn a_uniform_flow_is_kept() {
+    let mut data = tube("sod").data().clone();
+    data.right = [1.0, 3.0, 1.0];
+    data.left = [1.0, 3.0, 1.0];
+    let tube = ShockTube::new(data).expect("physical");
+    for flux in fluxes() {
+        let run = run(&tube, 50, LagrangianOptions::new(flux));
+        for i in 0..run.profile.len() {
+            assert!((run.profile.density[i] - 1.0).abs() < 1e-14);
+            assert!((run.profile.velocity[i] - 3.0).abs() < 1e-14);
+        }
+        assert!(run.profile.order_preserved());
+    }
+}
+
+#[test]
+fn bad_options_are_errors() {
+    let tube = tube("sod");
+    let with = |options: LagrangianOptions| Method::Lagrangian(options).run(&tube, 100);
+    let good = LagrangianOptions::new(Flux::Exact);
+    for bad in [
+        LagrangianOptions { cfl: 0.0, ..good },
+        LagrangianOptions { ratio: -2.0, ..good },
+        LagrangianOptions { ratio: 40.0, ..good },
+        LagrangianOptions::new(Flux::ModifiedRoe(ModifiedRoe {
+            mean: RoeMean::Density,
+            contact: ContactViscosity::Printed(-0.1),
+        })),
+    ] {
+        assert!(with(bad).is_err(), "{bad:?}");
+    }
+}
+
+#[test]
+fn lattices() {
+    assert!(Lattice::new(Kernel::CubicSpline, 0.4).is_err());
+    assert!(Lattice::new(Kernel::CubicSpline, f64::NAN).is_err());
+    assert!(Lattice::new(Kernel::CubicSpline, 1e6).is_err());
+    // At ratio 1 the second neighbour is on the edge: the finite-volume stencil.
+    let one = Lattice::new(Kernel::CubicSpline, 1.0).expect("it reaches the next");
+    assert_eq!(one.offsets(), &[(1, 0.5)]);
+    // The cut Gaussian is inconsistent by a few 1e-4, and non-integer ratios by more.
+    let gaussian = Lattice::new(Kernel::Gaussian, 2.0).expect("it reaches the next");
+    assert!((gaussian.consistency() - 1.0).abs() > 1e-5);
+}
+
+/// At ratio 1 the scheme is the first-order finite-volume method in mass coordinates.
+#[test]
+fn ratio_one_is_godunovs_method_in_mass_coordinates() {
+    let tube = tube("sod");
+    let options = LagrangianOptions { ratio: 1.0, ..LagrangianOptions::new(Flux::Exact) };
+    let mut scheme = LagrangianScheme::new(&tube, 40, &options, Exact).expect("valid");
+    let gas = tube.gas();
+    for _ in 0..10 {
+        let step = scheme.courant_step();
+        let before = scheme.states().to_vec();
+        scheme.advance(step).expect("stable");
+        let factor = step / scheme.spacing();
+        for i in 1..before.len() - 1 {
+            let left = Exact.flux(gas, &before[i - 1], &before[i]);
+            let right = Exact.flux(gas, &before[i], &before[i + 1]);
+            for c in 0..3 {
+                let wanted = before[i].conserved()[c] + factor * (left[c] - right[c]);
+                assert!((scheme.states()[i].conserved()[c] - wanted).abs() < 1e-14);
+            }
+        }
+    }
+}
+
+#[test]
+fn rusanov_is_the_most_diffusive_at_the_contact() {
+    let tube = tube("sod");
+    let width = |flux| {
+        let run = run(&tube, 200, LagrangianOptions::new(flux));
+        Comparison::new(&tube, &run).contact_width.expect("the contact is resolved")
+    };
+    let [exact, rusanov, roe, _] = fluxes().map(width);
+    assert!(rusanov > 1.5 * roe && roe > exact, "{exact} {roe} {rusanov}");
+}

@@ -1,0 +1,193 @@
+//! Individual time steps in blocks of powers of two.
+
+use super::gas::Gas;
+use super::pair_force::{PairForce, Work};
+use super::rates::Rates;
+use super::system::ParticleSystem;
+use super::thermal::ThermalState;
+use super::vector::{Vector, dot, plus_scaled};
+use crate::run::Reason;
+
+/// Advances particles by steps `Δ/2^level`, first order in time.
+///
+/// A block of length `Δ` begins with everybody at one time. Levels are set there, from the signal
+/// velocities of each particle and of those around it, and so that two which interact differ by one at most; they hold for
+/// the block. A **pair** has the shorter step of its two particles: its force is evaluated
+/// when that step begins and its impulse goes to both, so that momentum is conserved to round-off
+/// whatever the levels. A particle takes the sum of its impulses at the end of its own step; until
+/// then it moves with its old velocity. With time-centred work the total energy is conserved to round-off
+/// too. With a single level this is
+/// [`Integrator::CentredEuler`](super::Integrator::CentredEuler).
+///
+/// Density and pairs are renewed for everybody in every substep; what is saved is Riemann problems.
+#[derive(Debug, Clone)]
+pub struct BlockStepper<const D: usize, T> {
+    levels: u32,
+    rates: Rates<D, T>,
+    level: Vec<u32>,
+    signal: Vec<f64>,
+    old_signal: Vec<f64>,
+    impulse: Vec<Vector<D>>,
+    energy: Vec<T>,
+    /// Momentum that the walls have given so far.
+    pub wall_impulse: Vector<D>,
+    /// Substeps taken so far.
+    pub substeps: u64,
+}
+
+impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
+    /// At most `levels` halvings.
+    pub fn new(levels: u32) -> Self {
+        Self {
+            levels,
+            rates: Rates::default(),
+            level: Vec::new(),
+            signal: Vec::new(),
+            old_signal: Vec::new(),
+            impulse: Vec::new(),
+            energy: Vec::new(),
+            wall_impulse: [0.0; D],
+            substeps: 0,
+        }
+    }
+
+    /// The levels of the last block, 0 the longest step.
+    pub fn levels(&self) -> &[u32] {
+        &self.level
+    }
+
+    /// One block, no longer than `longest`, with steps of `courant` crossing times; its length.
+    ///
+    /// # Errors
+    /// [`Reason`] if the particles leave the states of a gas, or a step is too small to be one.
+    pub fn block<G: Gas<Thermal = T>, F: PairForce>(
+        &mut self,
+        system: &mut ParticleSystem<D, G>,
+        force: &F,
+        courant: f64,
+        longest: f64,
+    ) -> Result<f64, Reason> {
+        system.rates(force, &mut self.rates)?;
+        let count = system.particles.len();
+        self.warn(system);
+        let own = |i: usize| courant * system.particles.smoothing[i] / self.signal[i];
+        let shortest = (0..count).map(own).fold(f64::INFINITY, f64::min);
+        let slowest = (0..count).map(own).fold(0.0, f64::max);
+        if shortest.is_nan() || shortest <= 1e-13 * longest {
+            return Err(Reason::TimeStep { value: shortest });
+        }
+        let length = longest.min(slowest).min(shortest * f64::from(1_u32 << self.levels));
+        self.level.clear();
+        self.level.extend(
+            (0..count).map(|i| ((length / own(i)).log2().ceil().max(0.0) as u32).min(self.levels)),
+        );
+        self.level_out(system);
+        self.impulse.clear();
+        self.impulse.resize(count, [0.0; D]);
+        self.energy.clear();
+        self.energy.resize(count, T::default());
+        let finest = self.level.iter().copied().max().unwrap_or(0);
+        let ticks = 1_u32 << finest;
+        let tick = length / f64::from(ticks);
+        for now in 0..ticks {
+            if now > 0 {
+                system.update_fields()?;
+            }
+            self.kick(system, force, finest, now, tick);
+            for (x, v) in system.particles.position.iter_mut().zip(&system.particles.velocity) {
+                *x = plus_scaled(x, tick, v);
+            }
+            self.close(system, F::WORK, finest, now + 1, tick);
+            self.substeps += 1;
+        }
+        Ok(length)
+    }
+
+    /// Signal velocities, the largest among a particle's neighbours, their neighbours, and so on
+    /// through as many shells as there are levels: the way of a shock during the block. Without it
+    /// a cold particle would be run over in the middle of a step it chose in peace.
+    fn warn<G: Gas<Thermal = T>>(&mut self, system: &ParticleSystem<D, G>) {
+        self.signal.clone_from(&self.rates.signal);
+        for _ in 0..self.levels {
+            self.old_signal.clone_from(&self.signal);
+            for pair in system.neighbours().pairs() {
+                let (a, b) = (pair.first as usize, pair.second as usize);
+                self.signal[a] = self.signal[a].max(self.old_signal[b]);
+                self.signal[b] = self.signal[b].max(self.old_signal[a]);
+            }
+        }
+    }
+
+    /// Raises levels until two particles that interact differ by one at most.
+    fn level_out<G: Gas<Thermal = T>>(&mut self, system: &ParticleSystem<D, G>) {
+        let mut changed = true;
+        while changed {
+            changed = false;
+            for pair in system.neighbours().pairs() {
+                let (a, b) = (pair.first as usize, pair.second as usize);
+                let least = self.level[a].max(self.level[b]).saturating_sub(1);
+                for i in [a, b] {
+                    if self.level[i] < least {
+                        self.level[i] = least;
+                        changed = true;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The impulses of the pairs whose step begins now.
+    fn kick<G: Gas<Thermal = T>, F: PairForce>(
+        &mut self,
+        system: &mut ParticleSystem<D, G>,
+        force: &F,
+        finest: u32,
+        now: u32,
+        tick: f64,
+    ) {
+        let level = &self.level;
+        system.evaluate(force, &mut self.rates, |pair| {
+            let ticks =
+                1_u32 << (finest - level[pair.first as usize].max(level[pair.second as usize]));
+            if now.is_multiple_of(ticks) { f64::from(ticks) * tick } else { 0.0 }
+        });
+        for i in 0..self.impulse.len() {
+            self.impulse[i] = plus_scaled(&self.impulse[i], 1.0, &self.rates.acceleration[i]);
+            self.energy[i] = self.energy[i].plus_scaled(1.0, self.rates.energy[i]);
+        }
+        self.wall_impulse = plus_scaled(&self.wall_impulse, 1.0, &self.rates.wall_force);
+    }
+
+    /// Gives the particles whose step ends now what they have been owed.
+    fn close<G: Gas<Thermal = T>>(
+        &mut self,
+        system: &mut ParticleSystem<D, G>,
+        work: Work,
+        finest: u32,
+        now: u32,
+        tick: f64,
+    ) {
+        let state = &mut system.particles;
+        for i in 0..state.len() {
+            let ticks = 1_u32 << (finest - self.level[i]);
+            if !now.is_multiple_of(ticks) {
+                continue;
+            }
+            let change = self.impulse[i];
+            let old = state.velocity[i];
+            let centred = plus_scaled(&old, 0.5, &change);
+            let seen = match work {
+                Work::Instantaneous => old,
+                Work::TimeCentred => centred,
+            };
+            let done = T::from_energy(|| dot(&seen, &change));
+            state.thermal[i] =
+                state.thermal[i].plus_scaled(1.0, self.energy[i].plus_scaled(-1.0, done));
+            state.position[i] =
+                plus_scaled(&state.position[i], 0.5 * f64::from(ticks) * tick, &change);
+            state.velocity[i] = plus_scaled(&old, 1.0, &change);
+            self.impulse[i] = [0.0; D];
+            self.energy[i] = T::default();
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! One step of the real scheme on a periodic ring, for linearisation by finite differences.
+
+use super::density::Smoothing;
+use super::domain::{Boundary, Domain};
+use super::gas::IsothermalGas;
+use super::integrator::{Integrator, Stepper};
+use super::pair_force::PairForce;
+use super::smoothing_kernel::SmoothingKernel;
+use super::system::{ParticleSystem, Particles};
+use crate::run::Reason;
+use courant_analysis::kernel::Kernel;
+use num_complex::Complex64;
+use std::f64::consts::PI;
+
+/// `N` particles of equal mass on a periodic line of length `N·spacing`, isothermal, with a constant
+/// smoothing length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ring {
+    /// `N`.
+    pub particles: usize,
+    /// Distance of neighbours on the undisturbed lattice.
+    pub spacing: f64,
+    /// Mass of a particle.
+    pub mass: f64,
+    /// The gas.
+    pub gas: IsothermalGas,
+    /// The kernel.
+    pub kernel: Kernel,
+    /// `h`.
+    pub smoothing: f64,
+}
+
+/// What one step does to a mode `x_j = jΔ + X e^{iφj}`, `v_j = V e^{iφj}`: the complex matrix that
+/// takes `(X, V)` to `(X', V')`, rows first.
+pub type Amplification = [[Complex64; 2]; 2];
+
+impl Ring {
+    /// The undisturbed positions `jΔ`.
+    pub fn lattice(&self) -> Vec<f64> {
+        (0..self.particles).map(|j| j as f64 * self.spacing).collect()
+    }
+
+    /// Positions and velocities after one step from any state, positions not wrapped.
+    ///
+    /// # Errors
+    /// [`Reason`] if the state or a stage of the step is not one of a gas.
+    ///
+    /// # Panics
+    /// Unless there is one position and one velocity for each particle.
+    pub fn step<F: PairForce>(
+        &self,
+        force: &F,
+        integrator: Integrator,
+        dt: f64,
+        positions: &[f64],
+        velocities: &[f64],
+    ) -> Result<(Vec<f64>, Vec<f64>), Reason> {
+        assert_eq!((positions.len(), velocities.len()), (self.particles, self.particles));
+        let particles = Particles {
+            position: positions.iter().map(|&x| [x]).collect(),
+            velocity: velocities.iter().map(|&v| [v]).collect(),
+            mass: vec![self.mass; self.particles],
+            thermal: vec![(); self.particles],
+            smoothing: vec![self.smoothing; self.particles],
+        };
+        let length = self.particles as f64 * self.spacing;
+        let mut system = ParticleSystem::new(
+            self.gas,
+            particles,
+            Domain::new([0.0], [length], Boundary::Periodic),
+            SmoothingKernel::new(self.kernel),
+            Smoothing::Constant,
+            force,
+        );
+        Stepper::new(integrator).step(&mut system, force, dt)?;
+        let flat = |vectors: Vec<[f64; 1]>| vectors.into_iter().map(|[x]| x).collect();
+        Ok((flat(system.particles.position), flat(system.particles.velocity)))
+    }
+
+    /// The amplification matrix of mode `mode` (phase angle `φ = 2π mode/N` per particle), by central
+    /// differences of [`step`](Self::step) with amplitude `size` spacings (and `size` sound speeds).
+    ///
+    /// The response is that of the scheme as it runs; it is linear to `O(size²)`, with round-off of the
+    /// order of `1e-16/size`. Forces with a switch (viscosity on approaching pairs only) are not linear.
+    ///
+    /// ```
+    /// use courant_analysis::kernel::Kernel;
+    /// use courant_simulation::particles::*;
+    /// use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
+    /// let gas = IsothermalGas { sound_speed: 1.0 };
+    /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel: Kernel::CubicSpline, smoothing: 1.0 };
+    /// let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
+    /// let gph1 = Godunov { weight: SumOfSquares, solver };
+    /// let step = ring.amplification(&gph1, Integrator::ForwardEuler, 0.1, 3, 1e-5)?;
+    /// assert!((step[0][1].re - 0.1).abs() < 1e-10); // x' = x + dt v
+    /// assert!(step[1][1].re < 1.0); // the Riemann problem damps
+    /// # Ok::<(), courant_simulation::run::Reason>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn amplification<F: PairForce>(
+        &self,
+        force: &F,
+        integrator: Integrator,
+        dt: f64,
+        mode: usize,
+        size: f64,
+    ) -> Result<Amplification, Reason> {
+        let count = self.particles;
+        // Angles reduced exactly before they are multiplied by an inexact π.
+        let angle = |j: usize| 2.0 * PI * ((mode * j) % count) as f64 / count as f64;
+        let scales = [size * self.spacing, size * self.gas.sound_speed];
+        let mut matrix = [[Complex64::ZERO; 2]; 2];
+        for (column, scale) in scales.into_iter().enumerate() {
+            let run = |sign: f64| {
+                let (mut x, mut v) = (self.lattice(), vec![0.0; count]);
+                let disturbed = if column == 0 { &mut x } else { &mut v };
+                for (j, value) in disturbed.iter_mut().enumerate() {
+                    *value += sign * scale * angle(j).cos();
+                }
+                self.step(force, integrator, dt, &x, &v)
+            };
+            let (plus, minus) = (run(1.0)?, run(-1.0)?);
+            for (row, (plus, minus)) in
+                [(&plus.0, &minus.0), (&plus.1, &minus.1)].into_iter().enumerate()
+            {
+                let mut sum = Complex64::ZERO;
+                for j in 0..count {
+                    sum += Complex64::from_polar((plus[j] - minus[j]) / (2.0 * scale), -angle(j));
+                }
+                // cos is half of two conjugate modes, except where these are the same.
+                let share = if (2 * mode).is_multiple_of(count) { 1.0 } else { 2.0 };
+                matrix[row][column] = sum * (share / count as f64);
+            }
+        }
+        Ok(matrix)
+    }
+}

@@ -1,0 +1,5 @@
+//! The particle code against slower or independent computations.
+
+mod linear;
+mod pairs;
+mod runs;

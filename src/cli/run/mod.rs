@@ -1,0 +1,86 @@
+//! `courant run`: one scene, one method.
+
+mod advection;
+mod gas;
+mod particles;
+
+use super::output::Format;
+use super::{Failure, Outcome, names, numbers};
+use clap::Args;
+use courant::analysis::kernel::Kernel;
+use courant::analysis::rational::Rational;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Scene: see `courant list scenes`.
+    scene: String,
+    /// Method: see `courant list methods`; each family of scenes has its own.
+    #[arg(long)]
+    method: Option<String>,
+    /// Number of particles (default: the scene's own).
+    #[arg(long, value_name = "N", value_parser = numbers::particles)]
+    particles: Option<usize>,
+    /// Kernel: see `courant list kernels` (default: the method's own).
+    #[arg(long, value_parser = names::kernel)]
+    kernel: Option<Kernel>,
+    /// Smoothing length over particle spacing (default: the method's own).
+    #[arg(long, value_parser = numbers::ratio)]
+    ratio: Option<Rational>,
+    /// Courant number (default: the method's own).
+    #[arg(long, value_parser = numbers::positive)]
+    cfl: Option<Rational>,
+    /// End time (default: the scene's own).
+    #[arg(long, value_parser = numbers::positive)]
+    time: Option<Rational>,
+    /// Directory for profile and figure.
+    #[arg(long, default_value = "courant-out")]
+    out: PathBuf,
+    /// Format of the output.
+    #[arg(long, value_enum, default_value = "table")]
+    format: Format,
+}
+
+/// A scene or method, for listing.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// What it is.
+    pub description: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+}
+
+/// A family of scenes and the methods that run them.
+struct Family {
+    scenes: fn() -> Vec<Entry>,
+    methods: fn() -> Vec<Entry>,
+    run: fn(&Arguments) -> Result<Outcome, Failure>,
+}
+
+const FAMILIES: [Family; 3] = [advection::FAMILY, gas::FAMILY, particles::FAMILY];
+
+/// Every scene.
+pub fn scenes() -> Vec<Entry> {
+    FAMILIES.iter().flat_map(|family| (family.scenes)()).collect()
+}
+
+/// Every method.
+pub fn methods() -> Vec<Entry> {
+    FAMILIES.iter().flat_map(|family| (family.methods)()).collect()
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let family = FAMILIES
+        .iter()
+        .find(|family| (family.scenes)().iter().any(|scene| scene.name == arguments.scene));
+    match family {
+        Some(family) => (family.run)(arguments),
+        None => {
+            let scenes: Vec<&str> = scenes().iter().map(|scene| scene.name).collect();
+            let problem = names::unknown("scene", &arguments.scene, &scenes);
+            Err(Failure::Message(format!("SCENE {}: {problem}", arguments.scene)))
+        }
+    }
+}
