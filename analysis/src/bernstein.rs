@@ -13,6 +13,10 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use std::collections::VecDeque;
 
+mod cover;
+
+pub use cover::{SignedBox, exact_cover};
+
 /// How much work a decision took: counts, not seconds, so that tests can hold it down.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
@@ -137,7 +141,13 @@ impl MarginForm {
 
     /// Bernstein coefficients of `P` on the box, `[power of t][power of s]`, in fixed point.
     fn first_box(&self, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
-        let rows = polar_weights(self.powers.len().saturating_sub(1), from, to)
+        self.in_fixed_point(self.scaled_box(from, to))
+    }
+
+    /// Positive multiples of the Bernstein coefficients on the box, exact: row by row they still carry
+    /// the binomials of the degree in `s`.
+    fn scaled_box(&self, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
+        polar_weights(self.powers.len().saturating_sub(1), from, to)
             .into_iter()
             .map(|weights| {
                 // The whole function may be lower by the radius, which in scaled form is the radius
@@ -152,8 +162,7 @@ impl MarginForm {
                     })
                     .collect()
             })
-            .collect();
-        self.in_fixed_point(rows)
+            .collect()
     }
 
     /// Divides by the binomials and cuts to a unit far below the size of the polynomial: Bernstein

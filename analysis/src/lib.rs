@@ -3,6 +3,7 @@
 //! Nothing here knows of files, terminals or plots. See `ARCHITECTURE.md`.
 
 pub mod bernstein;
+pub mod certificate;
 pub mod common_factor;
 pub mod consistency;
 pub mod cosine_series;
@@ -11,6 +12,7 @@ pub mod enclosed_series;
 pub mod fixed_point;
 pub mod growth;
 pub mod integrator;
+pub mod interval;
 pub mod kernel;
 pub mod lattice;
 pub mod limit;
@@ -23,3 +25,4 @@ pub mod stencil;
 pub mod sweep;
 pub mod symbol;
 pub mod verdict;
+pub mod weak_instability;

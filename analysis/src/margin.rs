@@ -6,6 +6,7 @@ use crate::cosine_series::CosineSeries;
 use crate::enclosed_series::EnclosedSeries;
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer, quotient_to_f64, ratio, to_f64};
+use crate::stencil::Stencil;
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -48,7 +49,9 @@ impl Margin {
     pub fn new(symbol: &EnclosedSymbol, growth: &Rational) -> Self {
         let (mut series, denominator) = squared_gain(symbol);
         let mut radius = squared_gain_radius(symbol);
-        radius.resize(series.len(), Rational::zero());
+        let powers = radius.len().max(series.len());
+        radius.resize(powers, Rational::zero());
+        series.resize(powers, CosineSeries::new(Vec::new()));
 
         // (1 + ε)² − |g|² over the common denominator.
         let budget = (growth + integer(1)) * (growth + integer(1));
@@ -80,7 +83,7 @@ impl Margin {
         };
         margin.take_out_courant_number();
         if growth.is_zero() && symbol.keeps_constants() {
-            margin.take_out_phase();
+            margin.take_out_phase(symbol.span());
         }
         margin.take_out_complement();
         margin.take_out_neutral_waves();
@@ -112,7 +115,7 @@ impl Margin {
         };
         margin.take_out_courant_number();
         if margin.is_exact() {
-            margin.take_out_phase();
+            margin.take_out_phase(margin.degree());
         }
         margin.take_out_complement();
         margin.take_out_neutral_waves();
@@ -137,14 +140,15 @@ impl Margin {
         self.radius = self.radius.iter().skip(first).step_by(self.stride).cloned().collect();
     }
 
-    fn take_out_phase(&mut self) {
+    /// `span` is the largest order of a cosine in `|g|²`, errors of the data included.
+    fn take_out_phase(&mut self, span: usize) {
         let exact = self.is_exact();
         while !self.is_neutral() && (exact || self.phase_power == 0) {
             let Some(divided) = self.series.iter().map(CosineSeries::divide_by_s).collect() else {
                 return;
             };
             // |cos mφ − 1|/s ≤ 2m², so an error of the series grows by at most twice its degree squared.
-            let stretch = BigInt::from(2 * self.degree() * self.degree());
+            let stretch = BigInt::from(2 * span * span);
             self.radius.iter_mut().for_each(|radius| *radius *= &stretch);
             self.series = divided;
             self.phase_power += 1;
@@ -403,14 +407,20 @@ fn squared_gain_radius(symbol: &EnclosedSymbol) -> Vec<Rational> {
     if symbol.is_exact() {
         return Vec::new();
     }
-    let stencils = symbol.center().stencils();
+    // A center may by accident have fewer powers of C than the symbols around it.
+    let mut stencils = symbol.center().stencils().to_vec();
+    stencils.resize(symbol.even_radius().len(), Stencil::zero());
+    // Sums of integers over one denominator: the coefficients are long numbers.
     let norms = |sign: i64| -> Vec<Rational> {
         let half_sums = stencils.iter().map(|stencil| {
+            let terms = || stencil.terms().map(|(_, value)| value);
+            let common = terms().fold(BigInt::one(), |common, value| common.lcm(value.denom()));
+            let scaled = stencil.map(|value| value.numer() * (&common / value.denom()));
             let reach = stencil.reach().map_or(0, |(low, high)| low.abs().max(high.abs()));
-            (-reach..=reach).fold(Rational::zero(), |sum, k| {
-                let part = stencil.coefficient(k) + stencil.coefficient(-k) * integer(sign);
-                sum + part.abs() / integer(2)
-            })
+            let sum: BigInt = (-reach..=reach)
+                .map(|k| (scaled.coefficient(k) + scaled.coefficient(-k) * sign).abs())
+                .sum();
+            Rational::new(sum, common * 2)
         });
         half_sums.collect()
     };

@@ -89,6 +89,23 @@ impl AdvectionScheme {
         }
     }
 
+    /// The scheme for a kernel of one's own, given by its lattice weights.
+    ///
+    /// ```
+    /// use courant_analysis::interval::Interval;
+    /// use courant_analysis::limit::{Evidence, stability_limit};
+    /// use courant_analysis::{lattice::LatticeWeights, rational::integer, scheme::AdvectionScheme};
+    /// let half = Interval::new(0.5, 0.5_f64.next_up());
+    /// let bend = [Interval::point(-2.0), Interval::point(1.0)];
+    /// let weights = LatticeWeights::from_intervals(&[half], &bend).unwrap();
+    /// let limit = stability_limit(&AdvectionScheme::GodunovSph.with_weights(&weights), &integer(9));
+    /// assert_eq!(limit.evidence(), Evidence::Enclosed);
+    /// assert!(limit.lower() <= 1.0 && limit.upper() >= 1.0 && limit.upper() - limit.lower() < 1e-14);
+    /// ```
+    pub fn with_weights(self, weights: &LatticeWeights) -> EnclosedSymbol {
+        EnclosedSymbol::from_weights(weights, |weights| self.build(weights))
+    }
+
     fn build(self, weights: &LatticeWeights) -> Symbol<Rational> {
         match self {
             Self::EulerSph => Symbol::identity() - Symbol::courant_power(1, gradient(weights)),
@@ -199,6 +216,6 @@ impl Discretisation {
 
 impl Scheme for Discretisation {
     fn symbol(&self) -> EnclosedSymbol {
-        EnclosedSymbol::from_weights(&self.weights, |weights| self.scheme.build(weights))
+        self.scheme.with_weights(&self.weights)
     }
 }

@@ -1,14 +1,21 @@
 //! Limits on the Courant number, each with its evidence.
 
+mod accuracy_study;
 pub(crate) mod critical;
 mod monotonicity;
+mod pointwise;
 mod sampled;
 mod stability;
 
+pub use accuracy_study::{AccuracyRow, LimitMethod, accuracy_study};
+pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
-pub use sampled::{phase_grid, sampled_stability_limit};
-pub(crate) use stability::{MAX_BOXES, phase_of, stable_set_of};
-pub use stability::{StableInterval, StableSet, growth_limit, stability_limit, stable_set};
+pub use pointwise::{PointVerdict, decide_at};
+pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
+pub(crate) use stability::{MAX_BOXES, phase_of, phase_parameter, stable_set_of};
+pub use stability::{
+    StableInterval, StableSet, growth_limit, stability_limit, stable_set, stable_set_to,
+};
 
 use crate::rational::{Rational, to_f64, to_f64_above, to_f64_below, to_text};
 use num_bigint::BigInt;

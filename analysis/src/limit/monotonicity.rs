@@ -5,6 +5,7 @@ use super::{Evidence, ExactValue, Limit};
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer, to_f64_above, to_f64_below};
 use crate::real_roots::{RealRoot, real_roots};
+use crate::stencil::Stencil;
 use crate::symbol::EnclosedSymbol;
 use num_traits::{Signed, Zero};
 
@@ -24,23 +25,11 @@ const ROOT_BITS: u32 = 70;
 /// ```
 pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Limit {
     let evidence = if symbol.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
-    let (low, high) = symbol.center().reach().unwrap_or((0, 0));
-    // A coefficient is half the sum of an even and an odd part, each within its radius.
-    let radius: Vec<Rational> = symbol
-        .even_radius()
-        .iter()
-        .zip(symbol.odd_radius())
-        .map(|(even, odd)| even + odd)
-        .collect();
     let mut binding: Option<(i64, RealRoot)> = None;
     // Coefficients that are negative at once come first: they end the search.
-    let mut offsets: Vec<i64> = (low..=high).collect();
-    offsets.sort_by_key(|&offset| !starts_negative(&symbol.center().coefficient(offset)));
-    for offset in offsets {
-        let coefficient = symbol.center().coefficient(offset);
-        if coefficient.is_zero() {
-            continue;
-        }
+    let mut coefficients = enclosed_coefficients(symbol);
+    coefficients.sort_by_key(|(_, center, _)| !starts_negative(center));
+    for (offset, coefficient, radius) in coefficients {
         let end = binding.as_ref().map_or(max_courant, |(_, root)| &root.upper);
         if end.is_zero() {
             break;
@@ -60,6 +49,23 @@ pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Li
     limit.at_offset(offset)
 }
 
+/// Every coefficient of the scheme that is not identically zero: its offset, its center as a polynomial
+/// in `C`, and a radius for each power of `C`.
+pub(crate) fn enclosed_coefficients(
+    symbol: &EnclosedSymbol,
+) -> Vec<(i64, Polynomial<Rational>, Polynomial<Rational>)> {
+    let radii = symbol.coefficient_radius();
+    let reaches = radii.iter().filter_map(Stencil::reach).chain(symbol.center().reach());
+    let Some((low, high)) = reaches.reduce(|(a, b), (c, d)| (a.min(c), b.max(d))) else {
+        return Vec::new();
+    };
+    let coefficients = (low..=high).map(|offset| {
+        let radius = radii.iter().map(|radius| radius.coefficient(offset)).collect();
+        (offset, symbol.center().coefficient(offset), Polynomial::new(radius))
+    });
+    coefficients.filter(|(_, center, radius)| !center.is_zero() || !radius.is_zero()).collect()
+}
+
 /// Whether the polynomial is negative for every small positive `C`.
 fn starts_negative(polynomial: &Polynomial<Rational>) -> bool {
     polynomial.coefficients().iter().find(|value| !value.is_zero()).is_some_and(Signed::is_negative)
@@ -68,18 +74,11 @@ fn starts_negative(polynomial: &Polynomial<Rational>) -> bool {
 /// Encloses the smallest `C ∈ [0, end)` above which the polynomial is negative, if there is one.
 fn first_negative(
     coefficient: &Polynomial<Rational>,
-    radius: &[Rational],
+    radius: &Polynomial<Rational>,
     end: &Rational,
 ) -> Option<RealRoot> {
-    let shifted = |sign: i64| {
-        // Powers without a coefficient have none for structural reasons: no error there.
-        let values = coefficient.coefficients().iter().zip(radius).map(|(value, radius)| {
-            if value.is_zero() { value.clone() } else { value + radius * integer(sign) }
-        });
-        Polynomial::new(values.collect())
-    };
-    let lower = first_sign_change(&shifted(-1), end);
-    let upper = first_sign_change(&shifted(1), end);
+    let lower = first_sign_change(&(coefficient.clone() - radius.clone()), end);
+    let upper = first_sign_change(&(coefficient.clone() + radius.clone()), end);
     match (lower, upper) {
         (None, _) => None,
         (Some(lower), Some(upper)) => Some(RealRoot { lower: lower.lower, upper: upper.upper }),
@@ -112,7 +111,6 @@ mod tests {
     use crate::kernel::Kernel;
     use crate::rational::{ratio, to_f64};
     use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-    use crate::stencil::Stencil;
     use crate::symbol::Symbol;
     use proptest::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Stability looked at on a finite set of phases: what the literature does, and what goes wrong.
 
-use super::critical::sampled_unstable_set;
+use super::critical::{refine, sampled_unstable_set};
 use super::{Evidence, Limit};
 use crate::margin::Margin;
 use crate::rational::{Rational, to_f64};
@@ -30,16 +30,36 @@ pub fn sampled_stability_limit(
     phases: &[f64],
     max_courant: &Rational,
 ) -> Limit {
+    sampled_limit(symbol, phases, max_courant, false)
+}
+
+/// [`sampled_stability_limit`], then the phase that binds refined in floating point between its
+/// neighbours: accurate where the samples lead to the right neighbourhood, and no proof.
+pub fn refined_stability_limit(
+    symbol: &EnclosedSymbol,
+    phases: &[f64],
+    max_courant: &Rational,
+) -> Limit {
+    sampled_limit(symbol, phases, max_courant, true)
+}
+
+fn sampled_limit(
+    symbol: &EnclosedSymbol,
+    phases: &[f64],
+    max_courant: &Rational,
+    refined: bool,
+) -> Limit {
     let margin = Margin::new(symbol, &Rational::from_integer(0.into()));
     let evidence = Evidence::Sampled { phases: phases.len() };
     let compiled = margin.compile();
     let useful = phases.iter().copied().filter(|&phase| phase > 0.0 || margin.phase_power() == 0);
     let max_parameter = compiled.parameter(to_f64(max_courant));
-    match sampled_unstable_set(&compiled, useful, max_parameter).first() {
-        None => Limit::beyond(max_courant, evidence),
-        Some(first) => {
-            let value = first.from.parameter.powf(1.0 / margin.stride() as f64);
-            Limit::between(value, value, evidence).at_phase(first.from.phase)
-        }
+    let unstable = sampled_unstable_set(&compiled, useful, max_parameter);
+    let Some(first) = unstable.first() else { return Limit::beyond(max_courant, evidence) };
+    let mut end = first.from;
+    if refined && end.parameter > 0.0 {
+        end = refine(&compiled, end, true, max_parameter);
     }
+    let value = end.parameter.powf(1.0 / margin.stride() as f64);
+    Limit::between(value, value, evidence).at_phase(end.phase)
 }

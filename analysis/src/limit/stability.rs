@@ -39,8 +39,17 @@ const FRACTION_BITS: u32 = 200;
 /// Newton's method doubles the digits: from ten or so bits to more than asked for.
 const NEWTON_STEPS: usize = 7;
 
+/// Bisection towards 0 stops at this power of one half of the range.
+const FLOOR_BITS: i32 = 120;
+
+/// How many touching waves are passed in one search.
+const MAX_TOUCHES: usize = 16;
+
 /// How often an unstable stretch may be halved in search of witnesses.
 const MAX_HALVINGS: u32 = 48;
+
+/// How many pieces of an unstable stretch may resist before it is no longer halved.
+const MAX_FAILURES: usize = 2000;
 
 /// How many stretches of one kind are followed before the rest is left undecided.
 const MAX_STRETCHES: usize = 64;
@@ -72,10 +81,14 @@ pub struct StableSet {
 }
 
 impl StableSet {
-    /// The end of the stable interval that begins at 0; exactly 0 when there is none.
+    /// The end of the stable interval that begins at 0; exactly 0 when there is none, and `[0, ∞]` when
+    /// nothing could be decided from 0 on.
     pub fn limit(&self) -> Limit {
         match self.intervals.first() {
             Some(first) if first.from.upper() == 0.0 => first.to.clone(),
+            _ if self.undecided.first().is_some_and(|open| open.0 == 0.0) => {
+                Limit::between(0.0, f64::INFINITY, self.evidence)
+            }
             _ => {
                 let zero = Limit::exactly(ExactValue::Fraction(Rational::zero()), self.evidence);
                 match self.immediately_unstable_phase {
@@ -128,11 +141,26 @@ pub fn growth_limit(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Ra
 
 /// Every Courant number in `[0, max_courant]` with `|g| ≤ 1 + growth` for all waves.
 pub fn stable_set(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rational) -> StableSet {
-    stable_set_of(&Margin::new(symbol, growth), max_courant)
+    stable_set_to(symbol, growth, max_courant, FIRST_WIDTH as u32)
+}
+
+/// [`stable_set`] with ends enclosed to about `2^−bits` of their size (limits that are found exactly are
+/// exact all the same). More bits than the 52 of an `f64` are not kept.
+pub fn stable_set_to(
+    symbol: &EnclosedSymbol,
+    growth: &Rational,
+    max_courant: &Rational,
+    bits: u32,
+) -> StableSet {
+    search(&Margin::new(symbol, growth), max_courant, bits)
 }
 
 /// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
 pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
+    search(margin, max_courant, FIRST_WIDTH as u32)
+}
+
+fn search(margin: &Margin, max_courant: &Rational, bits: u32) -> StableSet {
     let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
     if margin.is_neutral() {
         return StableSet {
@@ -147,7 +175,7 @@ pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSe
             work: Work::default(),
         };
     }
-    Search::new(margin, max_courant).run(max_courant, evidence)
+    Search::new(margin, max_courant, bits).run(max_courant, evidence)
 }
 
 /// An end of a stretch in `t`: nothing is claimed strictly between `lower` and `upper`.
@@ -185,11 +213,13 @@ struct Search<'a> {
     compiled: CompiledMargin,
     guesses: Vec<UnstableInterval>,
     end: Rational,
+    first_width: i32,
+    touches: usize,
     work: Work,
 }
 
 impl<'a> Search<'a> {
-    fn new(margin: &'a Margin, max_courant: &Rational) -> Self {
+    fn new(margin: &'a Margin, max_courant: &Rational, bits: u32) -> Self {
         let compiled = margin.compile();
         let end = (0..margin.stride()).fold(integer(1), |power, _| power * max_courant);
         let guesses =
@@ -200,6 +230,8 @@ impl<'a> Search<'a> {
             compiled,
             guesses,
             end,
+            first_width: (bits as i32).clamp(4, FIRST_WIDTH),
+            touches: 0,
             work: Work::default(),
         }
     }
@@ -217,14 +249,20 @@ impl<'a> Search<'a> {
                     break;
                 }
                 Stretch::Undecided(lower, upper) => {
+                    let open = self.courant_numbers(&lower, &upper);
                     if lower > from.upper {
-                        let edge =
-                            Edge { lower: lower.clone(), upper: lower.clone(), phase: from.phase };
-                        let to =
-                            self.limit(&edge, Evidence::Sampled { phases: self.sampled_phases() });
+                        let to = Limit::between(open.0, open.1, evidence);
                         intervals.push(StableInterval { from: self.limit(&from, evidence), to });
                     }
-                    undecided.push(self.courant_numbers(&lower, &upper));
+                    // A sliver is stepped over; otherwise all of the rest is open.
+                    let widest = LAST_WIDTH.min(self.first_width);
+                    let sliver = &upper - &lower <= &upper * power_of_half(widest);
+                    if sliver && lower > from.upper {
+                        undecided.push(open);
+                        from = Edge { lower: lower.clone(), upper, phase: from.phase };
+                        continue;
+                    }
+                    undecided.push((open.0, self.courant_numbers(&upper, &self.end).1));
                     break;
                 }
                 Stretch::Empty(s) => {
@@ -264,8 +302,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn sampled_phases(&self) -> usize {
-        resolving_phases(self.margin.degree()).count()
+    /// The relative widths to try, as powers of one half.
+    fn widths(&self) -> impl Iterator<Item = i32> + use<> {
+        (LAST_WIDTH.min(self.first_width)..=self.first_width).rev().step_by(3)
     }
 
     /// Proves `[from, end of the stretch]` stable.
@@ -293,14 +332,21 @@ impl<'a> Search<'a> {
         for s in [integer(0), integer(1)] {
             // An end of the phase range binds: its critical value is a root of a polynomial in t.
             let Some(root) = self.root_near(&s, refined.parameter, 1e-9) else { continue };
-            if root.lower > *from && self.is_stable(from, &root.lower).is_ok() {
-                let phase = if s.is_zero() { 0.0 } else { std::f64::consts::PI };
-                return Stretch::Ends(Edge { lower: root.lower, upper: root.upper, phase });
+            let phase = if s.is_zero() { 0.0 } else { std::f64::consts::PI };
+            let mut lowers = vec![root.lower.clone()];
+            if !self.margin.is_exact() {
+                // The lowered margin vanishes at this very end, which boxes need not see.
+                lowers.push(&root.lower * (integer(1) - power_of_half(self.first_width - 2)));
+            }
+            for lower in lowers {
+                if lower > *from && self.is_stable(from, &lower).is_ok() {
+                    return Stretch::Ends(Edge { lower, upper: root.upper, phase });
+                }
             }
         }
         let mut counterexample = None;
         if let Some(edge) = self.interior_edge(refined) {
-            for bits in (LAST_WIDTH..=FIRST_WIDTH).rev().step_by(3) {
+            for bits in self.widths() {
                 let lower = &edge.upper * (integer(1) - power_of_half(bits));
                 if lower <= *from {
                     break;
@@ -323,32 +369,79 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it.
+    /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it or
+    /// from nothing but the failure to prove the rest of the range stable.
     fn bisect(&mut self, from: &Rational, counterexample: Option<Counterexample>) -> Stretch {
-        let Some(counterexample) = counterexample else {
-            return Stretch::Undecided(from.clone(), self.end.clone());
+        let (mut witness, mut upper) = match counterexample.map(|found| *found) {
+            Some((s, t)) => (Some(s), t),
+            None => (None, self.end.clone()),
         };
-        let (mut s, mut upper) = *counterexample;
         let mut lower = from.clone();
-        while &upper - &lower > &upper * power_of_half(FIRST_WIDTH) {
-            if lower.is_zero() && self.is_unstable_just_above(&lower, &s) {
-                return Stretch::Empty(s);
+        let floor = &self.end * power_of_half(FLOOR_BITS);
+        while &upper - &lower > &upper * power_of_half(self.first_width) {
+            if lower.is_zero() {
+                if let Some(s) = witness.take_if(|s| self.is_unstable_just_above(&lower, s)) {
+                    return Stretch::Empty(s);
+                }
+                if upper < floor {
+                    break;
+                }
             }
             let middle = (&lower + &upper) / integer(2);
-            match self.is_stable(from, &middle) {
+            match self.is_stable(&lower, &middle) {
                 Ok(()) => lower = middle,
                 Err(Some(found)) => {
-                    s = found.0;
                     upper = found.1.min(middle);
+                    witness = Some(found.0);
                 }
-                Err(None) => return Stretch::Undecided(lower, upper),
+                Err(None) => {
+                    witness = None;
+                    upper = middle;
+                }
             }
             if upper <= *from {
-                return Stretch::Empty(s);
+                break;
             }
         }
-        let phase = phase_of(&s);
-        Stretch::Ends(Edge { lower, upper, phase })
+        match witness {
+            Some(s) if upper <= *from => Stretch::Empty(s),
+            Some(s) if self.is_unstable_just_above(&upper, &s) => {
+                let phase = phase_of(&s);
+                Stretch::Ends(Edge { lower, upper, phase })
+            }
+            Some(s) if !self.margin.is_exact() => match self.certainly_unstable_from(&upper, &s) {
+                Some(upper) => Stretch::Ends(Edge { lower, upper, phase: phase_of(&s) }),
+                None => Stretch::Undecided(lower, self.end.clone()),
+            },
+            _ => self.pass_touching_wave(lower, upper),
+        }
+    }
+
+    /// Goes on beyond a value of `t` where the margin vanishes without being negative: boxes with their
+    /// corner there decide what boxes across it cannot.
+    fn pass_touching_wave(&mut self, lower: Rational, upper: Rational) -> Stretch {
+        if lower >= upper || self.touches == MAX_TOUCHES {
+            return Stretch::Undecided(lower, upper);
+        }
+        self.touches += 1;
+        let touch = simplest_between(&lower, &upper);
+        let beyond = (&touch * (integer(1) + power_of_half(10))).min(self.end.clone());
+        if touch.is_zero()
+            || self.is_stable(&lower, &touch).is_err()
+            || self.is_stable(&touch, &beyond).is_err()
+        {
+            return Stretch::Undecided(lower, upper);
+        }
+        if beyond == self.end {
+            return Stretch::Continues;
+        }
+        match self.stable_stretch(&beyond) {
+            Stretch::Empty(s) => {
+                let phase = phase_of(&s);
+                Stretch::Ends(Edge { lower: beyond.clone(), upper: beyond, phase })
+            }
+            other => other,
+        }
     }
 
     /// Proves the stretch from `from` to the next stable one unstable. Returns where it ends (`None`:
@@ -369,6 +462,7 @@ impl<'a> Search<'a> {
         let mut witnesses = vec![witness];
         witnesses.extend(edge.as_ref().map(|edge| phase_parameter(edge.phase)));
         let mut gaps: Vec<(Rational, Rational)> = Vec::new();
+        let mut failures = 0;
         let mut pending = vec![(from.clone(), to, MAX_HALVINGS)];
         while let Some((lower, upper, halvings)) = pending.pop() {
             if lower >= upper {
@@ -389,7 +483,8 @@ impl<'a> Search<'a> {
             if unstable {
                 continue;
             }
-            if halvings == 0 || gaps.len() > 8 {
+            failures += 1;
+            if halvings == 0 || gaps.len() > 8 || failures > MAX_FAILURES {
                 match gaps.last_mut() {
                     Some(last) if last.1 == lower => last.1 = upper,
                     _ => gaps.push((lower, upper)),
@@ -415,7 +510,7 @@ impl<'a> Search<'a> {
             }
         }
         let edge = self.interior_edge(refined)?;
-        for bits in (LAST_WIDTH..=FIRST_WIDTH).rev().step_by(3) {
+        for bits in self.widths() {
             let upper = &edge.lower * (integer(1) + power_of_half(bits));
             let beyond = &upper * (integer(1) + power_of_half(bits - 6));
             if self.is_stable(&upper, &beyond).is_ok() {
@@ -454,6 +549,9 @@ impl<'a> Search<'a> {
     /// The root in `t` of the margin at a fixed `s` nearest to a guess; enclosed, and widened by the
     /// uncertainty of the data.
     fn root_near(&mut self, s: &Rational, guess: f64, tolerance: f64) -> Option<RealRoot> {
+        if guess <= 0.0 {
+            return None;
+        }
         let mut enclosure: Option<RealRoot> = None;
         let shifts: &[i64] = if self.margin.is_exact() { &[0] } else { &[-1, 1] };
         let center = from_f64(guess)?;
@@ -505,6 +603,15 @@ impl<'a> Search<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Where above `from` the wave with this `s` begins to be unstable for all data within the radii.
+    fn certainly_unstable_from(&mut self, from: &Rational, s: &Rational) -> Option<Rational> {
+        self.work.evaluations += 1;
+        let raised = self.form.integers_at(s, 1).into_iter().map(Rational::from).collect();
+        let roots = real_roots(&Polynomial::new(raised), from, &self.end, ROOT_BITS);
+        let mut ends = roots.into_iter().map(|root| root.upper);
+        ends.find(|end| self.is_unstable_just_above(end, s))
     }
 
     /// Whether the wave with this `s` is unstable on some interval `(from, from + δ)`.
@@ -646,7 +753,7 @@ fn power_of_two(exponent: i64) -> Rational {
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.
-fn phase_parameter(phase: f64) -> Rational {
+pub(crate) fn phase_parameter(phase: f64) -> Rational {
     if phase <= 0.0 {
         return Rational::zero();
     }

@@ -4,7 +4,9 @@ use super::Symbol;
 use crate::lattice::LatticeWeights;
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer};
+use crate::stencil::Stencil;
 use num_traits::{One, Signed, Zero};
+use std::collections::BTreeMap;
 
 /// A symbol with rational coefficients and a bound on how far the true one may be.
 ///
@@ -16,6 +18,7 @@ pub struct EnclosedSymbol {
     center: Symbol<Rational>,
     even_radius: Vec<Rational>,
     odd_radius: Vec<Rational>,
+    coefficient_radius: Vec<Stencil<Rational>>,
     keeps_constants: bool,
 }
 
@@ -24,7 +27,14 @@ impl EnclosedSymbol {
     pub fn exact(symbol: Symbol<Rational>) -> Self {
         let zeros = vec![Rational::zero(); symbol.stencils().len()];
         let keeps_constants = symbol.moment(0, integer).is_one();
-        Self { center: symbol, even_radius: zeros.clone(), odd_radius: zeros, keeps_constants }
+        let coefficient_radius = vec![Stencil::zero(); zeros.len()];
+        Self {
+            center: symbol,
+            even_radius: zeros.clone(),
+            odd_radius: zeros,
+            coefficient_radius,
+            keeps_constants,
+        }
     }
 
     /// A symbol that is an affine function of lattice weights.
@@ -47,21 +57,26 @@ impl EnclosedSymbol {
         };
         let origin = build(&empty);
         let mut keeps_constants = origin.moment(0, integer).is_one();
+        // How often each coefficient, and each part, takes a weight's error; the radius itself is a long
+        // number and comes in at the end.
+        let mut reached: BTreeMap<(usize, i64), Rational> = BTreeMap::new();
+        let (mut even, mut odd): (Vec<Rational>, Vec<Rational>) = (Vec::new(), Vec::new());
         let mut add = |unit: &LatticeWeights| {
             let direction = build(unit) - origin.clone();
             keeps_constants &= direction.moment(0, integer).is_zero();
+            let powers = direction.stencils().len().max(even.len());
+            even.resize(powers, Rational::zero());
+            odd.resize(powers, Rational::zero());
             for (power, stencil) in direction.stencils().iter().enumerate() {
                 for (offset, value) in stencil.terms().filter(|(_, value)| !value.is_zero()) {
                     // c = even + odd with even = (c_k + c_{−k})/2 and odd = (c_k − c_{−k})/2; summing
-                    // both over all offsets bounds the l1 norms of the two parts.
+                    // both over all offsets bounds the l1 norms of the two parts. An offset whose mirror
+                    // image has no coefficient stands for both.
                     let mirrored = stencil.coefficient(-offset);
-                    let half = &weights.radius / integer(2);
-                    enclosed.even_radius[power] += (value + &mirrored).abs() * &half;
-                    enclosed.odd_radius[power] += (value - &mirrored).abs() * &half;
-                    if offset != 0 && mirrored.is_zero() {
-                        enclosed.even_radius[power] += value.abs() * &half;
-                        enclosed.odd_radius[power] += value.abs() * &half;
-                    }
+                    let both = if offset != 0 && mirrored.is_zero() { 1 } else { 2 };
+                    even[power] += (value + &mirrored).abs() / integer(both);
+                    odd[power] += (value - &mirrored).abs() / integer(both);
+                    *reached.entry((power, offset)).or_insert_with(Rational::zero) += value.abs();
                 }
             }
         };
@@ -75,8 +90,32 @@ impl EnclosedSymbol {
             unit.curvature[index] = Rational::one();
             add(&unit);
         }
+        enclosed.reserve(even.len());
+        for (power, (even, odd)) in even.iter().zip(&odd).enumerate() {
+            enclosed.even_radius[power] = even * &weights.radius;
+            enclosed.odd_radius[power] = odd * &weights.radius;
+            let offsets = reached.range((power, i64::MIN)..=(power, i64::MAX));
+            let (Some(((_, low), _)), Some(((_, high), _))) =
+                (offsets.clone().next(), offsets.clone().next_back())
+            else {
+                continue;
+            };
+            let mut radii = vec![Rational::zero(); (high - low + 1) as usize];
+            for ((_, offset), times) in offsets {
+                radii[(offset - low) as usize] = times * &weights.radius;
+            }
+            enclosed.coefficient_radius[power] = Stencil::new(*low, radii);
+        }
         enclosed.keeps_constants = keeps_constants;
         enclosed
+    }
+
+    /// Makes room for this many powers of `C`: the center may have fewer than the true symbol.
+    fn reserve(&mut self, powers: usize) {
+        let powers = powers.max(self.even_radius.len());
+        self.even_radius.resize(powers, Rational::zero());
+        self.odd_radius.resize(powers, Rational::zero());
+        self.coefficient_radius.resize(powers, Stencil::zero());
     }
 
     /// The rational symbol in the middle.
@@ -93,6 +132,19 @@ impl EnclosedSymbol {
     /// The same for the odd parts (the sines of `g`).
     pub fn odd_radius(&self) -> &[Rational] {
         &self.odd_radius
+    }
+
+    /// Per power of `C`, how far each single coefficient may be from the true one.
+    pub fn coefficient_radius(&self) -> &[Stencil<Rational>] {
+        &self.coefficient_radius
+    }
+
+    /// The distance between the lowest and the highest offset that a coefficient or its error can have.
+    pub fn span(&self) -> usize {
+        let radii = self.coefficient_radius.iter().filter_map(Stencil::reach);
+        let reaches = radii.chain(self.center.reach());
+        let reach = reaches.reduce(|(a, b), (c, d)| (a.min(c), b.max(d)));
+        reach.map_or(0, |(low, high)| low.abs_diff(high) as usize)
     }
 
     /// Whether the coefficients are known exactly.

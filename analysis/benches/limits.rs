@@ -1,0 +1,56 @@
+//! What proofs cost: the whole of Table 1, single limits at growing ratios, certificates.
+
+use courant_analysis::certificate::{certify_stability, verify};
+use courant_analysis::kernel::Kernel;
+use courant_analysis::limit::{monotonicity_limit, stable_set};
+use courant_analysis::rational::integer;
+use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use criterion::Criterion;
+use std::hint::black_box;
+
+fn scheme(scheme: AdvectionScheme, kernel: Kernel, ratio: i64) -> Discretisation {
+    Discretisation::new(scheme, kernel, integer(ratio)).expect("ratios up to 50 are accepted")
+}
+
+fn limits(criterion: &mut Criterion) {
+    let (zero, max) = (integer(0), integer(100));
+    let mut group = criterion.benchmark_group("limits");
+    group.sample_size(10);
+    group.bench_function("table 1", |bencher| {
+        bencher.iter(|| {
+            for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
+                for ratio in [1, 2, 3, 4, 5, 10] {
+                    let symbol = scheme(AdvectionScheme::GodunovSph, kernel, ratio).symbol();
+                    black_box(stable_set(&symbol, &zero, &max));
+                    black_box(monotonicity_limit(&symbol, &max));
+                }
+            }
+        });
+    });
+    for ratio in [10, 50] {
+        for of in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
+            group.bench_function(format!("{of}, cubic, ratio {ratio}"), |bencher| {
+                bencher.iter(|| {
+                    let symbol = scheme(of, Kernel::CubicSpline, ratio).symbol();
+                    stable_set(black_box(&symbol), &zero, &max)
+                });
+            });
+        }
+    }
+    let of = scheme(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, 10);
+    let symbol = of.symbol();
+    group.bench_function("certify, lax-wendroff-sph, cubic, ratio 10", |bencher| {
+        bencher.iter(|| certify_stability(black_box(&symbol), Some(&of), &zero, &max));
+    });
+    let certificates = certify_stability(&symbol, Some(&of), &zero, &max).expect("decided");
+    group.bench_function("verify, lax-wendroff-sph, cubic, ratio 10", |bencher| {
+        bencher.iter(|| certificates.iter().map(verify).collect::<Vec<_>>());
+    });
+    group.finish();
+}
+
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    limits(&mut criterion);
+    criterion.final_summary();
+}

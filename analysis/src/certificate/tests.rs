@@ -1,0 +1,203 @@
+use super::*;
+use crate::kernel::Kernel;
+use crate::rational::{Rational, integer, ratio};
+use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+use crate::stencil::Stencil;
+use crate::symbol::{EnclosedSymbol, Symbol};
+use serde_json::Value;
+
+fn scheme(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> Discretisation {
+    Discretisation::new(scheme, kernel, l).unwrap()
+}
+
+fn stability(of: &Discretisation, growth: &Rational) -> Vec<Certificate> {
+    certify_stability(&of.symbol(), Some(of), growth, &integer(30)).unwrap()
+}
+
+fn monotonicity(of: &Discretisation) -> Certificate {
+    certify_monotonicity(&of.symbol(), Some(of), &integer(30)).unwrap()
+}
+
+use AdvectionScheme::{EulerSph, GodunovSph, LaxWendroffSph};
+
+#[test]
+fn every_limit_of_table_1_is_certified() {
+    for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
+        for l in [1, 2, 3, 4, 5, 10] {
+            let scheme = scheme(GodunovSph, kernel, integer(l));
+            let mut all = stability(&scheme, &integer(0));
+            assert_eq!(all.len(), 1);
+            all.push(monotonicity(&scheme));
+            for certificate in all {
+                let verified = verify(&certificate).unwrap_or_else(|error| {
+                    panic!("{kernel} {l}: {error}");
+                });
+                assert!(verified.boxes > 0);
+            }
+        }
+    }
+    let verified = verify(&monotonicity(&scheme(GodunovSph, Kernel::CubicSpline, integer(2))));
+    assert_eq!(
+        verified.unwrap().statement,
+        "godunov-sph with cubic-spline at ratio 2: no coefficient is negative up to C = 8/5 and not \
+         just above"
+    );
+}
+
+#[test]
+fn every_kernel_and_scheme_is_derived_again_by_the_checker() {
+    for kernel in Kernel::ALL {
+        for of in AdvectionScheme::ALL {
+            for l in [ratio(1, 4), ratio(3, 2), ratio(13, 10), integer(2)] {
+                let scheme = scheme(of, kernel, l.clone());
+                for certificate in stability(&scheme, &integer(0)) {
+                    verify(&certificate)
+                        .unwrap_or_else(|error| panic!("{of} {kernel} {l}: {error}"));
+                }
+                verify(&monotonicity(&scheme)).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn growth_budgets_are_certified() {
+    for growth in ["1e-6", "1e-3"] {
+        let growth = crate::rational::parse(growth).unwrap();
+        let scheme = scheme(LaxWendroffSph, Kernel::Gaussian, integer(3));
+        for certificate in stability(&scheme, &growth) {
+            verify(&certificate).unwrap();
+        }
+    }
+}
+
+/// Changes one place of a certificate at a time: every number up by one, every text and flag to another,
+/// every list shortened and every entry removed.
+fn mutations(value: &Value) -> Vec<Value> {
+    let mut all = Vec::new();
+    match value {
+        Value::Null => all.push(Value::from("1")),
+        Value::Bool(flag) => all.push(Value::from(!flag)),
+        Value::Number(number) => all.push(Value::from(number.as_i64().unwrap() + 1)),
+        Value::String(text) => match Exact::read(text) {
+            Some(Exact(number)) => {
+                all.push(serde_json::to_value(Exact(number + integer(1))).unwrap());
+                all.push(Value::from("0/0"));
+            }
+            None => {
+                all.push(Value::from(format!("{text}0")));
+                all.push(Value::from(text.replacen('+', "-", 1).replacen('u', "w", 1)));
+            }
+        },
+        Value::Array(entries) => {
+            if !entries.is_empty() {
+                all.push(Value::from(entries[..entries.len() - 1].to_vec()));
+                all.push(Value::from([entries.as_slice(), &entries[..1]].concat()));
+            }
+            for (index, entry) in entries.iter().enumerate() {
+                for mutation in mutations(entry) {
+                    let mut changed = entries.clone();
+                    changed[index] = mutation;
+                    all.push(Value::from(changed));
+                }
+            }
+        }
+        Value::Object(entries) => {
+            for (key, entry) in entries {
+                let mut shortened = entries.clone();
+                shortened.remove(key);
+                // Only what may be absent has no value.
+                if !entry.is_null() {
+                    all.push(Value::from(shortened));
+                }
+                for mutation in mutations(entry) {
+                    let mut changed = entries.clone();
+                    changed.insert(key.clone(), mutation);
+                    all.push(Value::from(changed));
+                }
+            }
+        }
+    }
+    all.retain(|mutation| mutation != value);
+    all
+}
+
+#[test]
+fn a_certificate_with_any_field_changed_is_refused() {
+    let mut originals = Vec::new();
+    for (of, kernel, l) in [
+        (GodunovSph, Kernel::CubicSpline, integer(2)),
+        (LaxWendroffSph, Kernel::CubicSpline, integer(2)),
+        (LaxWendroffSph, Kernel::CubicSpline, ratio(13, 10)),
+        (EulerSph, Kernel::CubicSpline, integer(1)),
+        (GodunovSph, Kernel::Gaussian, integer(1)),
+    ] {
+        let scheme = scheme(of, kernel, l);
+        originals.extend(stability(&scheme, &integer(0)));
+        originals.push(monotonicity(&scheme));
+    }
+    let mut count = 0;
+    for original in originals {
+        verify(&original).unwrap();
+        let value = serde_json::to_value(&original).unwrap();
+        for mutation in mutations(&value) {
+            count += 1;
+            let Ok(certificate) = serde_json::from_value::<Certificate>(mutation.clone()) else {
+                continue;
+            };
+            assert!(
+                verify(&certificate).is_err(),
+                "accepted {}\ninstead of {}",
+                serde_json::to_string_pretty(&mutation).unwrap(),
+                serde_json::to_string_pretty(&value).unwrap()
+            );
+        }
+    }
+    assert!(count > 1000, "{count} mutations");
+}
+
+#[test]
+fn every_interval_of_a_disconnected_set_has_its_certificate() {
+    // Upwind with a distorted Courant number a(C) = C (C² − 6C + 19/2)/3: see the tests of the limits.
+    let backward = Stencil::new(-1, vec![integer(-1), integer(1)]);
+    let a = [ratio(19, 6), integer(-2), ratio(1, 3)];
+    let symbol = a.into_iter().enumerate().fold(Symbol::identity(), |sum, (power, value)| {
+        sum - Symbol::courant_power(power + 1, backward.clone() * Stencil::term(0, value))
+    });
+    let symbol = EnclosedSymbol::exact(symbol);
+    let certificates = certify_stability(&symbol, None, &integer(0), &integer(10)).unwrap();
+    assert_eq!(certificates.len(), 2);
+    for certificate in &certificates {
+        verify(certificate).unwrap();
+    }
+    let Proof::Stability(second) = &certificates[1].proof else { panic!("a stability proof") };
+    assert!(second.below.is_some() && second.from.0 == integer(2));
+}
+
+#[test]
+fn a_wrong_limit_cannot_be_certified() {
+    // The published 1.90 instead of 15/8, with boxes that look the part.
+    let scheme = scheme(GodunovSph, Kernel::CubicSpline, integer(2));
+    let mut certificate = stability(&scheme, &integer(0)).remove(0);
+    let Proof::Stability(proof) = &mut certificate.proof else { panic!("a stability proof") };
+    proof.limit = CertifiedLimit {
+        lower: ratio(19, 10).into(),
+        upper: Some(ratio(19, 10).into()),
+        courant_number: Some("19/10".into()),
+    };
+    let claim = proof.unstable.as_mut().unwrap();
+    claim.witness.courant_number = Exact(ratio(19, 10) * ratio((1 << 20) + 1, 1 << 20));
+    let error = verify(&certificate).unwrap_err();
+    assert!(error.0.contains("signs"), "{error}");
+}
+
+#[test]
+fn a_scheme_without_a_name_is_given_by_its_coefficients() {
+    let backward = Stencil::new(-1, vec![integer(-1), integer(1)]);
+    let upwind = EnclosedSymbol::exact(Symbol::identity() - Symbol::courant_power(1, backward));
+    let certificates = certify_stability(&upwind, None, &integer(0), &integer(30)).unwrap();
+    let statement = verify(&certificates[0]).unwrap().statement;
+    assert!(statement.ends_with("up to C = 1 and not just above"), "{statement}");
+    let wide = certify_stability(&upwind, None, &integer(0), &ratio(1, 2)).unwrap();
+    assert!(verify(&wide[0]).unwrap().statement.ends_with("at least up to C = 1/2"));
+}
