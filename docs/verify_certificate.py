@@ -42,6 +42,7 @@ def check_stability(c, proof, m, lower, upper):
     rows, radius, scale = [numbers(row) for row in m["coefficients"]], numbers(m["radius"]), number(m["denominator"])
     check(growth >= 0 and scale > 0 and any(h) and len({len(row) for row in rows}) == 1 and len(rows) == len(radius)
           and all(x.denominator == 1 for x in sum(rows, radius + [scale])) and 1 <= stride <= min(2, len(rows)), "no margin")
+    check(any(map(any, rows)) or (scale, h, m["phase_power"] + m["complement_power"] + m["courant_power"]) == (1, [1], 0), "factors of zero")
     # (1 + growth)^2 - |g|^2 in powers of C and of s = (1 - cos phi)/2: cos((k - l) phi) = T_(k-l)(1 - 2s)
     stencils = [dict(enumerate(numbers(s["coefficients"]), s["lowest"])) for s in symbol["stencils"]]
     common = lcm(*(x.denominator for a in stencils for x in a.values()))

@@ -94,6 +94,12 @@ fn first_sign_change(polynomial: &Polynomial<Rational>, end: &Rational) -> Optio
     if polynomial.coefficients().iter().all(|value| !value.is_negative()) {
         return None;
     }
+    if polynomial.degree() == Some(1) {
+        // Not negative at 0, so it falls through zero if it has a root in the range at all.
+        let root = -polynomial.coefficient(0) / polynomial.coefficient(1);
+        let inside = root.is_positive() && root < *end;
+        return inside.then(|| RealRoot { lower: root.clone(), upper: root });
+    }
     let roots = real_roots(polynomial, &Rational::zero(), end, ROOT_BITS);
     for (index, root) in roots.iter().enumerate() {
         let next = roots.get(index + 1).map_or(end, |next| &next.lower);
