@@ -144,10 +144,7 @@ fn methods(arguments: &Arguments) -> Result<Vec<WaveMethod>, Failure> {
         (_, Some(FormChoice::Resolved | FormChoice::Both)) => vec![Some(Form::Resolved)],
         (_, None) => vec![None],
     };
-    forms
-        .into_iter()
-        .map(|form| arguments.method.method(form, arguments.alpha.as_ref()))
-        .collect()
+    forms.into_iter().map(|form| arguments.method.method(form, arguments.alpha.as_ref())).collect()
 }
 
 fn waves_of(

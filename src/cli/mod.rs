@@ -12,6 +12,7 @@ mod output;
 mod progress;
 mod report;
 mod run;
+mod subject;
 mod symbol;
 mod waves;
 
