@@ -14,6 +14,7 @@ pub mod record;
 pub mod run_record;
 pub mod stability_map;
 pub mod table;
+pub mod wave_map;
 
 /// A table or figure of a report, for listing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! Arguments, dispatch, progress and exit codes. No mathematics.
 
 mod check;
+mod dispersion;
 mod error;
 mod limits;
 mod list;
@@ -11,7 +12,9 @@ mod output;
 mod progress;
 mod report;
 mod run;
+mod subject;
 mod symbol;
+mod waves;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -41,6 +44,8 @@ enum Command {
     Check(check::Arguments),
     /// Amplification over the (smoothing ratio, Courant number) plane: PNG, SVG, CSV, NPY.
     Map(map::Arguments),
+    /// Frequencies of sound waves in a particle method: phase error and amplitude, branch by branch.
+    Dispersion(dispersion::Arguments),
     /// Run a scene with a method: profile, figure, error norms, conservation.
     Run(run::Arguments),
     /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
@@ -105,6 +110,7 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Limits(arguments) => limits::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
+        Command::Dispersion(arguments) => dispersion::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Completions { shell } => {
