@@ -7,12 +7,16 @@ use super::output::{Format, print, print_json, table_text};
 use super::subject::{Subject, SubjectOptions};
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
+use courant::analysis::certificate::{
+    Certificate, CertificationError, certify_monotonicity, certify_stability,
+};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::{
     Limit, StableSet, growth_limit, monotonicity_limit, sampled_stability_limit, stable_set,
 };
 use courant::analysis::rational::{Rational, integer, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::reports::certificate_file;
 use courant::reports::number::significant;
 use courant::reports::record::{
     GrowthRecord, IntervalRecord, LimitsRow, exact_latex, intervals, undecided,
@@ -21,6 +25,7 @@ use courant::reports::table::{Align, Cell, Table};
 use num_traits::Zero;
 use rayon::prelude::*;
 use serde::Serialize;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct Arguments {
@@ -41,6 +46,9 @@ pub struct Arguments {
     /// Look at N equally spaced phases instead of proving.
     #[arg(long, value_name = "N", value_parser = numbers::phases, conflicts_with = "method")]
     samples: Option<usize>,
+    /// Also write a certificate of every limit to this file; `courant verify` checks it.
+    #[arg(long, value_name = "FILE.json", conflicts_with_all = ["samples", "method"])]
+    certificate: Option<PathBuf>,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]
     format: Format,
@@ -86,6 +94,9 @@ fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome,
         .map(|(kernel, ratio)| answer(arguments, scheme, kernel, ratio))
         .collect();
     let answers = answers?;
+    if let Some(file) = &arguments.certificate {
+        write_certificates(arguments, file, &answers)?;
+    }
     match table_text(&table(arguments, scheme, &answers), arguments.format) {
         Some(mut text) => {
             if arguments.format == Format::Table {
@@ -95,6 +106,39 @@ fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome,
         }
         None => print_json("limits", &Rows { rows: answers.iter().map(row).collect() }),
     }
+}
+
+/// Certificates of every limit shown: stability, growth budgets, monotonicity.
+fn write_certificates(
+    arguments: &Arguments,
+    file: &Path,
+    answers: &[Answer],
+) -> Result<(), Failure> {
+    let certified: Result<Vec<Vec<Certificate>>, Failure> = answers
+        .par_iter()
+        .map(|answer| {
+            let scheme = &answer.discretisation;
+            let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(scheme.ratio()));
+            let symbol = scheme.symbol();
+            let failed = |error: CertificationError| {
+                let (kernel, ratio) = (scheme.kernel(), to_text(scheme.ratio()));
+                Failure::Message(format!("--certificate: {kernel}, l/Δξ = {ratio}: {error}"))
+            };
+            let zero = Rational::zero();
+            let budgets =
+                std::iter::once(&zero).chain(answer.growth.iter().map(|(growth, _)| growth));
+            let mut certificates = Vec::new();
+            for growth in budgets {
+                let found = certify_stability(&symbol, Some(scheme), growth, &range);
+                certificates.extend(found.map_err(failed)?);
+            }
+            certificates.push(certify_monotonicity(&symbol, Some(scheme), &range).map_err(failed)?);
+            Ok(certificates)
+        })
+        .collect();
+    let certificates: Vec<Certificate> = certified?.into_iter().flatten().collect();
+    certificate_file::write(file, &certificates)
+        .map_err(|error| Failure::Message(format!("--certificate: {error}")))
 }
 
 fn answer(

@@ -14,6 +14,7 @@ mod report;
 mod run;
 mod subject;
 mod symbol;
+mod verify;
 mod waves;
 
 use clap::error::ErrorKind;
@@ -50,6 +51,8 @@ enum Command {
     Run(run::Arguments),
     /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
     Report(report::Arguments),
+    /// Check a file of certificates; exit code 0 when all hold, 1 when one does not.
+    Verify(verify::Arguments),
     /// Shell completions on standard output.
     Completions {
         /// The shell.
@@ -113,6 +116,7 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Dispersion(arguments) => dispersion::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "courant", &mut script);
