@@ -9,6 +9,7 @@ pub mod cosine_series;
 pub mod fixed_point;
 pub mod growth;
 pub mod kernel;
+pub mod lagrangian;
 pub mod lattice;
 pub mod limit;
 pub mod margin;

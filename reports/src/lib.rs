@@ -5,6 +5,7 @@
 
 pub mod ferrari2008;
 pub mod figure;
+pub mod gas_run;
 pub mod npy;
 pub mod number;
 pub mod page;
