@@ -112,9 +112,10 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
             figure: Box::new(figure),
             caption: format!(
                 "Error of the density against N for the five methods, settings as in Figures 3 to 21. \
-                 Grey: first order. Standard SPH stops at N = {} for its computing time, and fails at \
-                 every N of test 3. Contacts keep the orders of the Lagrangian methods below 1: a jump \
-                 that is smeared over N^(−1/2) of the mass costs as much.",
+                 Grey: first order. Runs that fail have no point; standard SPH stops at N = {} for its \
+                 computing time. A jump that is smeared over N^(−1/2) of the mass makes the order 1/2: \
+                 contacts, but for the exact flux, which does not diffuse them. Σ|e|/N weighs by mass for \
+                 particles and by volume for cells.",
                 most(detail, "sph-adke")
             ),
             data,
