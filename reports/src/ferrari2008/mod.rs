@@ -2,6 +2,7 @@
 //! coordinates", Communications in Computational Physics 4, 378–404. Section 2 regenerated.
 
 mod figure_1;
+pub mod section_3;
 mod table_1;
 
 pub use figure_1::{figure_1, figure_1_plan};
@@ -75,7 +76,7 @@ pub fn sections(
     ] {
         items.push(Item::Table { name: name.into(), table, command: COMMAND.into() });
     }
-    Ok(vec![
+    let mut sections = vec![
         Section {
             title: "Table 1: largest stable and largest monotone Courant number".into(),
             items,
@@ -84,5 +85,7 @@ pub fn sections(
             title: "Figure 1: amplification over the (l/Δξ, C) plane".into(),
             items: vec![figure_1(detail, progress)?],
         },
-    ])
+    ];
+    sections.extend(section_3::sections(detail, progress)?);
+    Ok(sections)
 }

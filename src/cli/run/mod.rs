@@ -3,6 +3,7 @@
 mod advection;
 mod gas;
 mod particles;
+mod tube_file;
 
 use super::output::Format;
 use super::{Failure, Outcome, names, numbers};
@@ -74,7 +75,8 @@ pub fn methods() -> Vec<Entry> {
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let family = FAMILIES
         .iter()
-        .find(|family| (family.scenes)().iter().any(|scene| scene.name == arguments.scene));
+        .find(|family| (family.scenes)().iter().any(|scene| scene.name == arguments.scene))
+        .or(arguments.scene.ends_with(".toml").then_some(&gas::FAMILY));
     match family {
         Some(family) => (family.run)(arguments),
         None => {
