@@ -138,6 +138,11 @@ pub fn profile_markers(result: &AdvectionRun, marker: Marker, color: Color) -> M
     Markers::new(points.step_by(every), marker).color(color)
 }
 
+/// Five digits at most, without zeros at the end.
+fn short(value: f64) -> f64 {
+    format!("{value:.4e}").parse().expect("a number that was printed can be read")
+}
+
 /// Computed and exact profile.
 pub fn profile_figure(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun) -> Figure {
     let method = &plan.method;
@@ -146,9 +151,9 @@ pub fn profile_figure(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun) -
         method.scheme.title(),
         method.kernel.title(),
         to_text(ratio),
-        significant(result.courant_number, 4),
+        short(result.courant_number),
         plan.particles,
-        significant(result.time, 4)
+        short(result.time)
     );
     let panel = Panel::new(Axis::linear("ξ").range(0.0, 1.0), Axis::linear("u"))
         .layer(exact_line(plan, result.time))
