@@ -58,11 +58,10 @@ pub(super) fn section(_detail: Detail) -> Result<Section, ReportError> {
         figure: Box::new(figure.legend_below()),
         caption: format!(
             "Figure 2. Linear advection of a step (2.28) and of a smooth hump (2.29) over one and five periods \
-             of the unit interval: 200 particles, C = {}, cubic spline, l/Δξ = 2, neighbours found among the \
+             of the unit interval: 200 particles, C = {courant}, cubic spline, l/Δξ = 2, neighbours found among the \
              particles. The paper states neither kernel nor ratio nor Courant number for this figure; these are \
              choices, and `courant run advection-step --method godunov-sph --kernel K --ratio R --cfl C \
-             --periods P` draws it for others.",
-            significant(courant, 4)
+             --periods P` draws it for others."
         ),
         data: cases.iter().map(data_file).collect(),
         command: COMMAND.into(),

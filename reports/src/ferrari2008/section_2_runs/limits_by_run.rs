@@ -22,6 +22,12 @@ const PARTICLES: usize = 32;
 /// Width to which a limit is bisected.
 const RESOLUTION: f64 = 1e-6;
 
+/// Longest run, in windows of steps over which a rate is taken.
+const WINDOWS: usize = 4_000;
+
+/// Steps of a window: long enough that the slow waves near a limit show their rates settling.
+const STEPS_PER_WINDOW: u64 = 500;
+
 /// Particles of the rings of long runs.
 const LONG_PARTICLES: usize = 16;
 
@@ -64,13 +70,7 @@ pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
                 table: long_runs_table(&runs, steps),
                 command: COMMAND.into(),
             },
-            Item::Paragraph(
-                "Lax–Wendroff SPH with the cubic spline does not keep a constant at l/Δξ = 1.3: its mean changes \
-                 by its own factor at every step, whatever the limit says of the waves, and here the mean decides. \
-                 With the cut Gaussian at l/Δξ = 2.5 the scheme is strictly unstable, so slowly that some hundred \
-                 thousand steps look stable."
-                    .into(),
-            ),
+            Item::Paragraph(remarks(&runs)),
         ],
     })
 }
@@ -96,7 +96,7 @@ fn compare(detail: Detail) -> Vec<Compared> {
     cases
         .into_par_iter()
         .map(|case| {
-            let plan = GrowthPlan::settling(10_000, 64);
+            let plan = GrowthPlan::settling(WINDOWS, STEPS_PER_WINDOW);
             let found = compare_limits(&case, PARTICLES, &integer(20), RESOLUTION, &plan);
             (case, found)
         })
@@ -169,7 +169,7 @@ fn long_runs(steps: u64) -> Vec<LongCase> {
     let (godunov, lax_wendroff) = (AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph);
     about(godunov, Kernel::CubicSpline, integer(2), 1e-5);
     about(godunov, Kernel::Gaussian, integer(2), 1e-5);
-    about(lax_wendroff, Kernel::CubicSpline, integer(2), 1e-4);
+    about(lax_wendroff, Kernel::CubicSpline, integer(2), 1e-3);
     about(lax_wendroff, Kernel::CubicSpline, ratio(13, 10), 1e-4);
     let shift = discretisation(godunov, Kernel::CubicSpline, integer(1));
     plans.push(("the exact shift".into(), shift, 1.0));
@@ -183,6 +183,29 @@ fn long_runs(steps: u64) -> Vec<LongCase> {
             LongCase { what, case, run }
         })
         .collect()
+}
+
+/// What the rows of the long runs say, with their numbers.
+fn remarks(runs: &[LongCase]) -> String {
+    let find = |kernel: Kernel, ratio: &Rational| {
+        let scheme = AdvectionScheme::LaxWendroffSph;
+        let mut found = runs.iter().filter(|run| {
+            let case = &run.case;
+            case.scheme() == scheme && case.kernel() == kernel && case.ratio() == ratio
+        });
+        &found.next().expect("the case is one of the long runs").run
+    };
+    let drifting = find(Kernel::CubicSpline, &ratio(13, 10));
+    let cut = find(Kernel::Gaussian, &ratio(5, 2));
+    format!(
+        "Just below a limit a long run shows no growth, just above it growth at the predicted rate. \
+         Lax–Wendroff SPH with the cubic spline at l/Δξ = 2 leaves the shortest wave as it is: below the limit \
+         that wave stays. At l/Δξ = 1.3 the scheme does not keep a constant: its mean is multiplied by {} at \
+         every step, whatever the waves do. With the cut Gaussian at l/Δξ = 2.5 it is strictly unstable, but so \
+         slowly that a wave takes {:.0} steps to double.",
+        drifting.growth.mean_gain.map_or_else(|| "–".into(), |gain| significant(gain, 4)),
+        2f64.ln() / cut.predicted_gain.ln(),
+    )
 }
 
 /// The limit of the waves of a ring, the mean apart: it is no wave, and may drift on its own.
@@ -201,7 +224,7 @@ fn long_runs_table(runs: &[LongCase], steps: u64) -> Table {
             ("l/Δξ", Align::Right),
             ("C", Align::Right),
             ("which is", Align::Left),
-            ("slowest to decay", Align::Left),
+            ("leading wave", Align::Left),
             ("predicted |g| − 1", Align::Right),
             ("measured |g| − 1", Align::Right),
             ("factor of the mean − 1", Align::Right),

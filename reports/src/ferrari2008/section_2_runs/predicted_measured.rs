@@ -107,10 +107,10 @@ fn table(cases: &[ValidatedCase], settings: Settings) -> Table {
             discretisation.scheme().title().to_string(),
             discretisation.kernel().title().into(),
             each(&|case| {
-                let courant = significant(case.case.plan.courant_number, 4);
-                format!("{courant} ({})", case.case.regime.name())
+                let courant = case.case.plan.courant_number;
+                format!("{courant:.4} ({})", case.case.regime.name())
             }),
-            each(&|case| significant(case.largest_gain(), 4)),
+            each(&|case| format!("{:.4}", case.largest_gain())),
             significant(closest.validation.max_error, 2),
             significant(closest.validation.tolerance, 2),
             if passed { "yes" } else { "NO" }.into(),
@@ -132,13 +132,14 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
     };
     let mut figure = Figure::grid(2, 3).size(7.4, 5.0);
     for scheme in AdvectionScheme::ALL {
-        let mut panel = Panel::new(phase_axis(), Axis::linear("|g|")).title(scheme.title()).legend(
-            if scheme == AdvectionScheme::EulerSph { Corner::TopRight } else { Corner::BottomLeft },
-        );
+        // Room above the curves for the legend.
+        let mut panel = Panel::new(phase_axis(), Axis::linear("|g|").range(0.0, 2.8))
+            .title(scheme.title())
+            .legend(Corner::TopRight);
         for (k, case) in of(scheme).enumerate() {
             let color = Color::qualitative(k);
             let rows = &case.validation.rows;
-            let label = format!("C = {}", significant(case.case.plan.courant_number, 4));
+            let label = format!("C = {:.3}", case.case.plan.courant_number);
             panel = panel
                 .layer(
                     Line::new(rows.iter().map(|row| (row.phase, row.predicted.norm())))

@@ -165,10 +165,10 @@ fn table(cases: &[Case]) -> Table {
 
 fn figure(cases: &[Case]) -> Figure {
     let mut figure = Figure::grid(1, 2).size(7.2, 3.6);
-    for (letter, kernel) in [('a', Kernel::Gaussian), ('b', Kernel::CubicSpline)] {
+    for (letter, kernel, top) in [('a', Kernel::Gaussian, 7.0), ('b', Kernel::CubicSpline, 2.5)] {
         let mut panel = Panel::new(
             Axis::linear("steps").range(0.0, STEPS as f64),
-            Axis::linear("log₁₀ of the amplitude").range(-0.5, 7.0),
+            Axis::linear("log₁₀ of the amplitude").range(-0.05 * top, top),
         )
         .title(format!("({letter}) Godunov SPH, {}", kernel.title()))
         .legend(Corner::TopLeft);
