@@ -42,7 +42,7 @@ enum Command {
     /// Amplification over the (smoothing ratio, Courant number) plane: PNG, SVG, CSV, NPY.
     Map(map::Arguments),
     /// Run a scene with a method: profile, figure, error norms, conservation.
-    Run(run::Arguments),
+    Run(Box<run::Arguments>),
     /// Predicted against measured, mode by mode; exit code 0 when they agree, 1 when they do not.
     Validate(validate::Arguments),
     /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
