@@ -3,6 +3,8 @@
 //! [`figure`] draws: plain data in, PNG or SVG bytes out. [`table`] sets numbers, [`page`] puts both into a
 //! report, [`publish`] writes files whole or not at all. Each paper has a module of its own.
 
+pub mod advection_profile;
+pub mod advection_validation;
 pub mod certificate_file;
 pub mod ferrari2008;
 pub mod figure;

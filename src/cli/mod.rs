@@ -14,6 +14,7 @@ mod report;
 mod run;
 mod subject;
 mod symbol;
+mod validate;
 mod verify;
 mod waves;
 
@@ -48,7 +49,9 @@ enum Command {
     /// Frequencies of sound waves in a particle method: phase error and amplitude, branch by branch.
     Dispersion(dispersion::Arguments),
     /// Run a scene with a method: profile, figure, error norms, conservation.
-    Run(run::Arguments),
+    Run(Box<run::Arguments>),
+    /// Predicted against measured, mode by mode; exit code 0 when they agree, 1 when they do not.
+    Validate(validate::Arguments),
     /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
     Report(report::Arguments),
     /// Check a file of certificates; exit code 0 when all hold, 1 when one does not.
@@ -115,6 +118,7 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Map(arguments) => map::run(&arguments),
         Command::Dispersion(arguments) => dispersion::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Validate(arguments) => validate::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Completions { shell } => {
