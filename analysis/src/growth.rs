@@ -140,7 +140,8 @@ impl PhaseTable {
                 }
             }
         }
-        Extremum { growth: growth_from_excess(sign * found.0), phase: found.1 }
+        // Adding zero turns a negative zero into a plain one.
+        Extremum { growth: growth_from_excess(sign * found.0) + 0.0, phase: found.1 }
     }
 
     /// The maximum between the two neighbours of a sampled one: parabolic interpolation through a
