@@ -3,7 +3,7 @@
 use crate::fixed_point;
 use crate::interval::Interval;
 use crate::kernel::{GAUSSIAN_CUT, Kernel};
-use crate::rational::{Rational, integer, ratio as fraction};
+use crate::rational::{Rational, integer};
 use num_traits::{Signed, ToPrimitive, Zero};
 use thiserror::Error;
 
@@ -65,7 +65,7 @@ impl LatticeWeights {
                 let gradient = distances.skip(1).map(|q| -shape.exact(&q, 1) / &square).collect();
                 Self { gradient, curvature, radius: Rational::zero() }
             }
-            None => gaussian(distances, &square, &cube),
+            None => gaussian(reach, ratio),
         };
         while weights.gradient.last().is_some_and(Zero::is_zero)
             && weights.curvature.last().is_some_and(Zero::is_zero)
@@ -147,40 +147,35 @@ impl LatticeWeights {
     }
 }
 
-/// `w = 2q e^{−q²}/√π · Δξ²/l²` and `v = (4q² − 2) e^{−q²}/√π · Δξ³/l³`.
-fn gaussian(
-    distances: impl Iterator<Item = Rational>,
-    square: &Rational,
-    cube: &Rational,
-) -> LatticeWeights {
+/// `w = 2q e^{−q²}/√π · Δξ²/l²` and `v = (4q² − 2) e^{−q²}/√π · Δξ³/l³`, in integers of fixed point.
+fn gaussian(reach: i64, ratio: &Rational) -> LatticeWeights {
     let norm = fixed_point::inverse_sqrt_of_pi();
+    let (n, d) = (ratio.numer(), ratio.denom());
+    let (d_square, n_square) = (d * d, n * n);
+    let (d_cube, n_cube) = (&d_square * d, &n_square * n);
     let (mut gradient, mut curvature) = (Vec::new(), Vec::new());
-    for q in distances {
-        // Rounded to a dyadic number: products would otherwise carry ever longer fractions.
-        let shape = round(&(fixed_point::exp_of_minus(&(&q * &q)) * &norm));
-        if !q.is_zero() {
-            gradient.push(round(&(integer(2) * &q * &shape / square)));
+    for k in 0..=reach {
+        let q = integer(k) / ratio;
+        let shape = (fixed_point::exp_of_minus(&(&q * &q)) * &norm) >> fixed_point::PRECISION;
+        // q = kd/n: 2q/(l/Δξ)² = 2kd³/n³ and (4q² − 2)/(l/Δξ)³ = (4k²d² − 2n²)d³/n⁵.
+        if k > 0 {
+            gradient.push(fixed_point::dyadic((&shape * (2 * k) * &d_cube) / &n_cube));
         }
-        curvature.push(round(&((integer(4) * &q * &q - integer(2)) * &shape / cube)));
+        let factor = &d_square * (4 * k * k) - &n_square * 2;
+        curvature.push(fixed_point::dyadic((shape * factor * &d_cube) / (&n_cube * &n_square)));
     }
-    // The shape is wrong by less than 3 radii (two factors below 1, one rounding); q ≤ 3 multiplies
+    // The shape is wrong by less than 3 units (two factors below 1, one rounding); q ≤ 3 multiplies
     // that by at most 6 and 34, a ratio below 1 by its inverse powers; one more rounding.
     let largest = integer(4 * GAUSSIAN_CUT * GAUSSIAN_CUT) * integer(3);
-    let stretch = if *cube < integer(1) { cube.recip() } else { integer(1) };
+    let stretch = if *ratio < integer(1) { (ratio * ratio * ratio).recip() } else { integer(1) };
     let radius = fixed_point::radius() * (largest * stretch + integer(1));
     LatticeWeights { gradient, curvature, radius }
-}
-
-/// To the nearest multiple of `2^−PRECISION` below.
-fn round(value: &Rational) -> Rational {
-    let scale = Rational::from(num_bigint::BigInt::from(1) << fixed_point::PRECISION);
-    (value * &scale + fraction(1, 2)).floor() / scale
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rational::to_f64;
+    use crate::rational::{ratio as fraction, to_f64};
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 
@@ -223,7 +218,7 @@ mod tests {
                 Interval::around(&a.clone().min(b.clone()))
                     + Interval::new(0.0, to_f64(&(&a - &b).abs()).next_up())
             };
-            let root = Interval::around(&fixed_point::inverse_sqrt_of_pi());
+            let root = Interval::around(&fixed_point::dyadic(fixed_point::inverse_sqrt_of_pi()));
             let shape = |q: Interval| (-q.sqr()).exp() * root;
             let (two, four) = (Interval::point(2.0), Interval::point(4.0));
             let enclosed = if kernel == Kernel::Gaussian {

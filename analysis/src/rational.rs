@@ -96,29 +96,36 @@ pub fn integer(value: i64) -> Rational {
     Rational::from(BigInt::from(value))
 }
 
-/// The nearest `f64` (the division of numerator and denominator is done on integers, so neither can
-/// overflow on the way; the result is infinite only when the quotient itself is out of range).
+/// The nearest `f64`; infinite only when the number itself is out of range.
 pub fn to_f64(value: &Rational) -> f64 {
-    // 64 significant bits of the quotient, then one correct rounding by the integer conversion;
-    // the sticky bit keeps ties honest.
-    if value.is_zero() {
+    quotient_to_f64(value.numer(), value.denom())
+}
+
+/// The `f64` nearest to `numerator / denominator`, without reducing the fraction first; neither can
+/// overflow on the way.
+///
+/// # Panics
+/// When `denominator` is zero.
+pub fn quotient_to_f64(numerator: &BigInt, denominator: &BigInt) -> f64 {
+    if numerator.is_zero() {
         return 0.0;
     }
-    let (numerator, denominator) = (value.numer().abs(), value.denom());
-    let shift = 66 - (numerator.bits() as i64 - denominator.bits() as i64);
-    let (scaled, divisor) = if shift >= 0 {
-        (numerator << shift as u64, denominator.clone())
+    // 66 significant bits of the quotient, then one correct rounding by the integer conversion; the
+    // sticky bit keeps ties honest.
+    let magnitude = numerator.abs();
+    let shift = 66 - (magnitude.bits() as i64 - denominator.bits() as i64);
+    let (mut quotient, remainder) = if shift >= 0 {
+        (magnitude << shift as u64).div_rem(denominator)
     } else {
-        (numerator, denominator << (-shift) as u64)
+        magnitude.div_rem(&(denominator << (-shift) as u64))
     };
-    let (mut quotient, remainder) = scaled.div_rem(&divisor);
     if !remainder.is_zero() && quotient.is_even() {
         quotient += 1;
     }
     // Below the normal range the second rounding of the scaling is harmless for our purposes.
-    let magnitude = quotient.to_f64().unwrap_or(f64::INFINITY);
-    let result = scale_by_power_of_two(magnitude, -shift);
-    if value.is_negative() { -result } else { result }
+    let rounded = quotient.to_f64().unwrap_or(f64::INFINITY);
+    let result = scale_by_power_of_two(rounded, -shift);
+    if numerator.is_negative() != denominator.is_negative() { -result } else { result }
 }
 
 fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
