@@ -12,7 +12,7 @@ use courant_analysis::kernel::Kernel;
 use courant_analysis::rational::{Rational, ratio};
 use courant_analysis::scheme::AdvectionScheme;
 use courant_analysis::sweep::{gain_map, no_progress};
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput};
 
 fn figure_1(criterion: &mut Criterion) {
     let ratios: Vec<Rational> = (0..400).map(|i| ratio(400 + 9 * i, 400)).collect();
@@ -34,5 +34,8 @@ fn figure_1(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, figure_1);
-criterion_main!(benches);
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    figure_1(&mut criterion);
+    criterion.final_summary();
+}

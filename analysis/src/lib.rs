@@ -14,6 +14,7 @@ pub mod growth;
 pub mod integrator;
 pub mod interval;
 pub mod kernel;
+pub mod lagrangian;
 pub mod lattice;
 pub mod limit;
 pub mod margin;

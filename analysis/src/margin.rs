@@ -115,8 +115,7 @@ impl Margin {
         };
         margin.take_out_courant_number();
         if margin.is_exact() {
-            let span = margin.degree();
-            margin.take_out_phase(span);
+            margin.take_out_phase(margin.degree());
         }
         margin.take_out_complement();
         margin.take_out_neutral_waves();
@@ -411,13 +410,17 @@ fn squared_gain_radius(symbol: &EnclosedSymbol) -> Vec<Rational> {
     // A center may by accident have fewer powers of C than the symbols around it.
     let mut stencils = symbol.center().stencils().to_vec();
     stencils.resize(symbol.even_radius().len(), Stencil::zero());
+    // Sums of integers over one denominator: the coefficients are long numbers.
     let norms = |sign: i64| -> Vec<Rational> {
         let half_sums = stencils.iter().map(|stencil| {
+            let terms = || stencil.terms().map(|(_, value)| value);
+            let common = terms().fold(BigInt::one(), |common, value| common.lcm(value.denom()));
+            let scaled = stencil.map(|value| value.numer() * (&common / value.denom()));
             let reach = stencil.reach().map_or(0, |(low, high)| low.abs().max(high.abs()));
-            (-reach..=reach).fold(Rational::zero(), |sum, k| {
-                let part = stencil.coefficient(k) + stencil.coefficient(-k) * integer(sign);
-                sum + part.abs() / integer(2)
-            })
+            let sum: BigInt = (-reach..=reach)
+                .map(|k| (scaled.coefficient(k) + scaled.coefficient(-k) * sign).abs())
+                .sum();
+            Rational::new(sum, common * 2)
         });
         half_sums.collect()
     };

@@ -1,7 +1,10 @@
 //! `courant check`.
 
+mod waves;
+
 use super::limits::{binding_wave, default_range};
 use super::output::{Format, print, print_json, table_text};
+use super::subject::{Subject, SubjectOptions};
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
 use courant::analysis::kernel::Kernel;
@@ -16,16 +19,15 @@ use courant::reports::table::{Align, Table};
 
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph.
-    #[arg(long, value_parser = names::scheme)]
-    scheme: AdvectionScheme,
+    #[command(flatten)]
+    subject: SubjectOptions,
     /// Kernel: see `courant list kernels`.
     #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
     kernel: Kernel,
-    /// Smoothing ratio l/Δξ, read exactly: 2, 1.3, 3/2.
+    /// Smoothing ratio l/Δξ = h/Δ, read exactly: 2, 1.3, 3/2.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio)]
     ratio: Rational,
-    /// Courant number C = a Δt/Δξ, read exactly.
+    /// Courant number C = a Δt/Δξ of a scheme, or c Δt/h of a particle method, read exactly.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number)]
     cfl: Rational,
     /// Accept growth up to this much per step: the answer is then whether |g| ≤ 1 + growth.
@@ -37,9 +39,15 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let discretisation =
-        Discretisation::new(arguments.scheme, arguments.kernel, arguments.ratio.clone())
-            .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
+    match arguments.subject.subject()? {
+        Subject::Scheme(scheme) => run_scheme(arguments, scheme),
+        Subject::Stepped(stepped) => waves::run(arguments, &stepped),
+    }
+}
+
+fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome, Failure> {
+    let discretisation = Discretisation::new(scheme, arguments.kernel, arguments.ratio.clone())
+        .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
     let symbol = discretisation.symbol();
     let range = default_range(&arguments.ratio);
     let found = check(&symbol, &arguments.cfl, &range);
@@ -51,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     match arguments.format {
         Format::Json => print_json("check", &record)?,
         format => {
-            let table = table(arguments, &found, within_budget);
+            let table = table(arguments, scheme, &found, within_budget);
             print(&table_text(&table, format).unwrap_or_default())?
         }
     };
@@ -59,10 +67,15 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(if accepted { Outcome::Yes } else { Outcome::No })
 }
 
-fn table(arguments: &Arguments, found: &Check, within_budget: Option<bool>) -> Table {
+fn table(
+    arguments: &Arguments,
+    scheme: AdvectionScheme,
+    found: &Check,
+    within_budget: Option<bool>,
+) -> Table {
     let caption = format!(
         "{}, {}, l/Δξ = {}, C = {}: {}",
-        arguments.scheme.title(),
+        scheme.title(),
         arguments.kernel.title(),
         to_text(&arguments.ratio),
         to_text(&arguments.cfl),
@@ -74,11 +87,11 @@ fn table(arguments: &Arguments, found: &Check, within_budget: Option<bool>) -> T
     let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
     add("verdict", found.verdict.name().into());
     add("monotone", if found.monotone { "yes" } else { "no" }.into());
-    add("stability limit", describe(&limit));
+    add("stability limit", describe(&limit, "C"));
     if limit.is_positive() && limit.value().is_finite() {
         add("C / limit", significant(courant / limit.value(), 8));
     }
-    add("monotonicity limit", describe(&found.monotonicity));
+    add("monotonicity limit", describe(&found.monotonicity, "C"));
     add("largest |g|", significant(1.0 + found.strongest.growth, 12));
     add("growth per step", significant(found.strongest.growth, 6));
     if let Some(steps) = found.steps_to_double {
@@ -112,9 +125,10 @@ fn headline(found: &Check) -> String {
     }
 }
 
-fn describe(limit: &Limit) -> String {
+/// A limit of what is called `symbol`, in words.
+fn describe(limit: &Limit, symbol: &str) -> String {
     if limit.value().is_infinite() {
-        return format!("none up to C = {}", significant(limit.lower(), 6));
+        return format!("none up to {symbol} = {}", significant(limit.lower(), 6));
     }
     let exact = limit
         .exact()

@@ -88,7 +88,14 @@ pub fn one_line(error: &clap::Error) -> String {
         _ => {
             // `error: invalid value 'x' for '--ratio <LIST>': what is accepted`
             let rendered = error.to_string();
-            let first = rendered.lines().next().unwrap_or("error: bad arguments");
+            let mut lines = rendered.lines();
+            let first = lines.next().unwrap_or("error: bad arguments");
+            if first.ends_with(':') {
+                // The options themselves follow, a line for each.
+                let rest: Vec<&str> =
+                    lines.map(str::trim).take_while(|line| !line.is_empty()).collect();
+                return format!("{first} {}", rest.join(", "));
+            }
             first.into()
         }
     }

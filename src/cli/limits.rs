@@ -1,15 +1,22 @@
 //! `courant limits`.
 
+pub mod waves;
+
 use super::numbers::{Names, Numbers};
 use super::output::{Format, print, print_json, table_text};
+use super::subject::{Subject, SubjectOptions};
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
+use courant::analysis::certificate::{
+    Certificate, CertificationError, certify_monotonicity, certify_stability,
+};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::{
     Limit, StableSet, growth_limit, monotonicity_limit, sampled_stability_limit, stable_set,
 };
 use courant::analysis::rational::{Rational, integer, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::reports::certificate_file;
 use courant::reports::number::significant;
 use courant::reports::record::{
     GrowthRecord, IntervalRecord, LimitsRow, exact_latex, intervals, undecided,
@@ -18,27 +25,30 @@ use courant::reports::table::{Align, Cell, Table};
 use num_traits::Zero;
 use rayon::prelude::*;
 use serde::Serialize;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph.
-    #[arg(long, value_parser = names::scheme)]
-    scheme: AdvectionScheme,
+    #[command(flatten)]
+    subject: SubjectOptions,
     /// Kernels, separated by commas: see `courant list kernels`.
     #[arg(long, value_parser = |text: &str| numbers::names(text, names::kernel), default_value = "cubic-spline")]
     kernel: Names<Kernel>,
-    /// Smoothing ratios l/Δξ: 1,2,3 or 1:10:0.5 or 3/2, read exactly.
+    /// Smoothing ratios l/Δξ = h/Δ: 1,2,3 or 1:10:0.5 or 3/2, read exactly.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list)]
     ratio: Numbers,
-    /// Look for stable Courant numbers up to this one (default: 10 + 4 l/Δξ).
+    /// Look for stable Courant numbers up to this one (default: 10 + 4 l/Δξ; for c Δt/h 10).
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number)]
     max_cfl: Option<Rational>,
     /// Also the limits for |g| ≤ 1 + growth per step: 1e-9,1e-6,1e-3.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative_list)]
     growth: Option<Numbers>,
     /// Look at N equally spaced phases instead of proving.
-    #[arg(long, value_name = "N", value_parser = numbers::phases)]
+    #[arg(long, value_name = "N", value_parser = numbers::phases, conflicts_with = "method")]
     samples: Option<usize>,
+    /// Also write a certificate of every limit to this file; `courant verify` checks it.
+    #[arg(long, value_name = "FILE.json", conflicts_with_all = ["samples", "method"])]
+    certificate: Option<PathBuf>,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]
     format: Format,
@@ -66,16 +76,28 @@ pub fn default_range(ratio: &Rational) -> Rational {
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    match arguments.subject.subject()? {
+        Subject::Scheme(scheme) => run_scheme(arguments, scheme),
+        Subject::Stepped(stepped) => waves::run(arguments, &stepped),
+    }
+}
+
+fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome, Failure> {
     let cases: Vec<(Kernel, Rational)> = arguments
         .kernel
         .0
         .iter()
         .flat_map(|kernel| arguments.ratio.0.iter().map(move |ratio| (*kernel, ratio.clone())))
         .collect();
-    let answers: Result<Vec<Answer>, Failure> =
-        cases.into_par_iter().map(|(kernel, ratio)| answer(arguments, kernel, ratio)).collect();
+    let answers: Result<Vec<Answer>, Failure> = cases
+        .into_par_iter()
+        .map(|(kernel, ratio)| answer(arguments, scheme, kernel, ratio))
+        .collect();
     let answers = answers?;
-    match table_text(&table(arguments, &answers), arguments.format) {
+    if let Some(file) = &arguments.certificate {
+        write_certificates(arguments, file, &answers)?;
+    }
+    match table_text(&table(arguments, scheme, &answers), arguments.format) {
         Some(mut text) => {
             if arguments.format == Format::Table {
                 text.push_str(&remarks(&answers));
@@ -86,9 +108,47 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
 }
 
-fn answer(arguments: &Arguments, kernel: Kernel, ratio: Rational) -> Result<Answer, Failure> {
+/// Certificates of every limit shown: stability, growth budgets, monotonicity.
+fn write_certificates(
+    arguments: &Arguments,
+    file: &Path,
+    answers: &[Answer],
+) -> Result<(), Failure> {
+    let certified: Result<Vec<Vec<Certificate>>, Failure> = answers
+        .par_iter()
+        .map(|answer| {
+            let scheme = &answer.discretisation;
+            let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(scheme.ratio()));
+            let symbol = scheme.symbol();
+            let failed = |error: CertificationError| {
+                let (kernel, ratio) = (scheme.kernel(), to_text(scheme.ratio()));
+                Failure::Message(format!("--certificate: {kernel}, l/Δξ = {ratio}: {error}"))
+            };
+            let zero = Rational::zero();
+            let budgets =
+                std::iter::once(&zero).chain(answer.growth.iter().map(|(growth, _)| growth));
+            let mut certificates = Vec::new();
+            for growth in budgets {
+                let found = certify_stability(&symbol, Some(scheme), growth, &range);
+                certificates.extend(found.map_err(failed)?);
+            }
+            certificates.push(certify_monotonicity(&symbol, Some(scheme), &range).map_err(failed)?);
+            Ok(certificates)
+        })
+        .collect();
+    let certificates: Vec<Certificate> = certified?.into_iter().flatten().collect();
+    certificate_file::write(file, &certificates)
+        .map_err(|error| Failure::Message(format!("--certificate: {error}")))
+}
+
+fn answer(
+    arguments: &Arguments,
+    scheme: AdvectionScheme,
+    kernel: Kernel,
+    ratio: Rational,
+) -> Result<Answer, Failure> {
     let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(&ratio));
-    let discretisation = Discretisation::new(arguments.scheme, kernel, ratio)
+    let discretisation = Discretisation::new(scheme, kernel, ratio)
         .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
     let symbol = discretisation.symbol();
     let (stability, set) = match arguments.samples {
@@ -140,7 +200,7 @@ fn row(answer: &Answer) -> LimitsRow {
     }
 }
 
-fn table(arguments: &Arguments, answers: &[Answer]) -> Table {
+fn table(arguments: &Arguments, scheme: AdvectionScheme, answers: &[Answer]) -> Table {
     let budgets: Vec<String> = arguments
         .growth
         .iter()
@@ -158,7 +218,7 @@ fn table(arguments: &Arguments, answers: &[Answer]) -> Table {
         ("exactly", Align::Right),
     ];
     columns.extend(budgets.iter().map(|name| (name.as_str(), Align::Right)));
-    let caption = format!("Limits of the Courant number, {}", arguments.scheme.title());
+    let caption = format!("Limits of the Courant number, {}", scheme.title());
     let mut table = Table::new(caption, &columns);
     for answer in answers {
         let mut cells = vec![

@@ -1,8 +1,10 @@
 //! `courant list`.
 
 use super::output::{Format, print, print_json, table_text};
+use super::waves::MethodName;
 use super::{Failure, Outcome, run};
 use clap::{Args, ValueEnum};
+use courant::analysis::integrator::Integrator;
 use courant::analysis::kernel::Kernel;
 use courant::analysis::scheme::AdvectionScheme;
 use courant::reports::table::{Align, Table};
@@ -17,6 +19,8 @@ enum Topic {
     Schemes,
     /// Methods that run scenes.
     Methods,
+    /// Time integrators of particle methods.
+    Integrators,
     /// Scenes to run.
     Scenes,
     /// Tables and figures of the reports.
@@ -48,15 +52,34 @@ impl From<run::Entry> for Entry {
     }
 }
 
+/// A method whose waves are known in closed form.
+fn wave_entry(name: MethodName) -> Entry {
+    let method = name.example();
+    let what = match name {
+        MethodName::Sph => "waves of SPH",
+        MethodName::SphAv => "waves of SPH with viscosity α",
+        MethodName::Gph => "waves of Godunov particle hydrodynamics, --form resolved",
+    };
+    let description = format!("{what}: {}", method.relation());
+    Entry { name: method.name(), aliases: &[], description, source: method.source() }
+}
+
 impl Topic {
-    const ALL: [Self; 5] =
-        [Self::Kernels, Self::Schemes, Self::Methods, Self::Scenes, Self::Figures];
+    const ALL: [Self; 6] = [
+        Self::Kernels,
+        Self::Schemes,
+        Self::Methods,
+        Self::Integrators,
+        Self::Scenes,
+        Self::Figures,
+    ];
 
     fn name(self) -> &'static str {
         match self {
             Self::Kernels => "kernels",
             Self::Schemes => "schemes",
             Self::Methods => "methods",
+            Self::Integrators => "integrators",
             Self::Scenes => "scenes",
             Self::Figures => "figures",
         }
@@ -87,7 +110,23 @@ impl Topic {
                     source: scheme.source(),
                 })
                 .collect(),
-            Self::Methods => run::methods().into_iter().map(Entry::from).collect(),
+            Self::Methods => {
+                let waves = MethodName::ALL.into_iter().map(wave_entry);
+                run::methods().into_iter().map(Entry::from).chain(waves).collect()
+            }
+            Self::Integrators => Integrator::ALL
+                .into_iter()
+                .map(|integrator| Entry {
+                    name: integrator.name(),
+                    aliases: integrator.aliases(),
+                    description: format!(
+                        "{}; force evaluations per step: {}",
+                        integrator.title(),
+                        integrator.force_evaluations()
+                    ),
+                    source: integrator.source(),
+                })
+                .collect(),
             Self::Scenes => run::scenes().into_iter().map(Entry::from).collect(),
             Self::Figures => courant::reports::CATALOGUE
                 .iter()

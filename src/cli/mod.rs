@@ -1,6 +1,7 @@
 //! Arguments, dispatch, progress and exit codes. No mathematics.
 
 mod check;
+mod dispersion;
 mod error;
 mod limits;
 mod list;
@@ -11,7 +12,11 @@ mod output;
 mod progress;
 mod report;
 mod run;
+mod subject;
 mod symbol;
+mod validate;
+mod verify;
+mod waves;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -41,10 +46,16 @@ enum Command {
     Check(check::Arguments),
     /// Amplification over the (smoothing ratio, Courant number) plane: PNG, SVG, CSV, NPY.
     Map(map::Arguments),
+    /// Frequencies of sound waves in a particle method: phase error and amplitude, branch by branch.
+    Dispersion(dispersion::Arguments),
     /// Run a scene with a method: profile, figure, error norms, conservation.
-    Run(run::Arguments),
+    Run(Box<run::Arguments>),
+    /// Predicted against measured, mode by mode; exit code 0 when they agree, 1 when they do not.
+    Validate(validate::Arguments),
     /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
     Report(report::Arguments),
+    /// Check a file of certificates; exit code 0 when all hold, 1 when one does not.
+    Verify(verify::Arguments),
     /// Shell completions on standard output.
     Completions {
         /// The shell.
@@ -105,8 +116,11 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Limits(arguments) => limits::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
+        Command::Dispersion(arguments) => dispersion::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Validate(arguments) => validate::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "courant", &mut script);

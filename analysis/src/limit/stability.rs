@@ -152,15 +152,15 @@ pub fn stable_set_to(
     max_courant: &Rational,
     bits: u32,
 ) -> StableSet {
-    decide(&Margin::new(symbol, growth), max_courant, bits)
+    search(&Margin::new(symbol, growth), max_courant, bits)
 }
 
 /// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
 pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
-    decide(margin, max_courant, FIRST_WIDTH as u32)
+    search(margin, max_courant, FIRST_WIDTH as u32)
 }
 
-fn decide(margin: &Margin, max_courant: &Rational, bits: u32) -> StableSet {
+fn search(margin: &Margin, max_courant: &Rational, bits: u32) -> StableSet {
     let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
     if margin.is_neutral() {
         return StableSet {

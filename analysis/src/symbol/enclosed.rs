@@ -6,6 +6,7 @@ use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer};
 use crate::stencil::Stencil;
 use num_traits::{One, Signed, Zero};
+use std::collections::BTreeMap;
 
 /// A symbol with rational coefficients and a bound on how far the true one may be.
 ///
@@ -56,25 +57,26 @@ impl EnclosedSymbol {
         };
         let origin = build(&empty);
         let mut keeps_constants = origin.moment(0, integer).is_one();
+        // How often each coefficient, and each part, takes a weight's error; the radius itself is a long
+        // number and comes in at the end.
+        let mut reached: BTreeMap<(usize, i64), Rational> = BTreeMap::new();
+        let (mut even, mut odd): (Vec<Rational>, Vec<Rational>) = (Vec::new(), Vec::new());
         let mut add = |unit: &LatticeWeights| {
             let direction = build(unit) - origin.clone();
-            enclosed.reserve(direction.stencils().len());
             keeps_constants &= direction.moment(0, integer).is_zero();
+            let powers = direction.stencils().len().max(even.len());
+            even.resize(powers, Rational::zero());
+            odd.resize(powers, Rational::zero());
             for (power, stencil) in direction.stencils().iter().enumerate() {
                 for (offset, value) in stencil.terms().filter(|(_, value)| !value.is_zero()) {
                     // c = even + odd with even = (c_k + c_{−k})/2 and odd = (c_k − c_{−k})/2; summing
-                    // both over all offsets bounds the l1 norms of the two parts.
+                    // both over all offsets bounds the l1 norms of the two parts. An offset whose mirror
+                    // image has no coefficient stands for both.
                     let mirrored = stencil.coefficient(-offset);
-                    let half = &weights.radius / integer(2);
-                    let reached = Stencil::term(offset, value.abs() * &weights.radius);
-                    let radius = &mut enclosed.coefficient_radius[power];
-                    *radius = std::mem::replace(radius, Stencil::zero()) + reached;
-                    enclosed.even_radius[power] += (value + &mirrored).abs() * &half;
-                    enclosed.odd_radius[power] += (value - &mirrored).abs() * &half;
-                    if offset != 0 && mirrored.is_zero() {
-                        enclosed.even_radius[power] += value.abs() * &half;
-                        enclosed.odd_radius[power] += value.abs() * &half;
-                    }
+                    let both = if offset != 0 && mirrored.is_zero() { 1 } else { 2 };
+                    even[power] += (value + &mirrored).abs() / integer(both);
+                    odd[power] += (value - &mirrored).abs() / integer(both);
+                    *reached.entry((power, offset)).or_insert_with(Rational::zero) += value.abs();
                 }
             }
         };
@@ -87,6 +89,22 @@ impl EnclosedSymbol {
             let mut unit = empty.clone();
             unit.curvature[index] = Rational::one();
             add(&unit);
+        }
+        enclosed.reserve(even.len());
+        for (power, (even, odd)) in even.iter().zip(&odd).enumerate() {
+            enclosed.even_radius[power] = even * &weights.radius;
+            enclosed.odd_radius[power] = odd * &weights.radius;
+            let offsets = reached.range((power, i64::MIN)..=(power, i64::MAX));
+            let (Some(((_, low), _)), Some(((_, high), _))) =
+                (offsets.clone().next(), offsets.clone().next_back())
+            else {
+                continue;
+            };
+            let mut radii = vec![Rational::zero(); (high - low + 1) as usize];
+            for ((_, offset), times) in offsets {
+                radii[(offset - low) as usize] = times * &weights.radius;
+            }
+            enclosed.coefficient_radius[power] = Stencil::new(*low, radii);
         }
         enclosed.keeps_constants = keeps_constants;
         enclosed

@@ -7,6 +7,7 @@
 
 pub mod flux;
 mod lattice;
+pub mod linear;
 mod scheme;
 mod state;
 

@@ -3,6 +3,7 @@
 mod advection;
 mod gas;
 mod particles;
+mod tube_file;
 
 use super::output::Format;
 use super::{Failure, Outcome, names, numbers};
@@ -33,6 +34,8 @@ pub struct Arguments {
     /// End time (default: the scene's own).
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::positive)]
     time: Option<Rational>,
+    #[command(flatten)]
+    advection: advection::Options,
     /// Directory for profile and figure.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
@@ -74,9 +77,15 @@ pub fn methods() -> Vec<Entry> {
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let family = FAMILIES
         .iter()
-        .find(|family| (family.scenes)().iter().any(|scene| scene.name == arguments.scene));
+        .find(|family| (family.scenes)().iter().any(|scene| scene.name == arguments.scene))
+        .or(arguments.scene.ends_with(".toml").then_some(&gas::FAMILY));
     match family {
-        Some(family) => (family.run)(arguments),
+        Some(family) => {
+            if !advection::has_scene(&arguments.scene) {
+                arguments.advection.reject(&arguments.scene)?;
+            }
+            (family.run)(arguments)
+        }
         None => {
             let scenes: Vec<&str> = scenes().iter().map(|scene| scene.name).collect();
             let problem = names::unknown("scene", &arguments.scene, &scenes);

@@ -1,0 +1,202 @@
+//! Courant number against error and failure, for each flux and test.
+
+use super::cost::curve;
+use super::runs::{LAGRANGIAN, PARTICLES, method, tube};
+use super::table_2::sound_growth;
+use super::{COMMAND, Detail, table_item};
+use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel, Rule};
+use crate::number::significant;
+use crate::page::Item;
+use crate::table::{Align, Table};
+use courant_simulation::comparison::Comparison;
+use courant_simulation::lagrangian::StepRule;
+use courant_simulation::method::Method;
+use courant_simulation::run::Failure;
+use rayon::prelude::*;
+
+/// The stability limit of sound with the cubic spline at l/Δξ = 2.
+const STABLE: f64 = 15.0 / 8.0;
+/// The monotonicity limit.
+const MONOTONE: f64 = 8.0 / 5.0;
+/// Halvings of the interval between the last run that ended and the first that failed.
+const HALVINGS: usize = 5;
+
+fn run(test: usize, name: &str, cfl: f64, step: StepRule) -> Result<f64, Failure> {
+    let tube = tube(test);
+    let mut method = method(name);
+    if let Method::Lagrangian(options) = &mut method {
+        options.cfl = cfl;
+        options.step = step;
+    }
+    let run = method.run(&tube, PARTICLES).expect("the options are valid");
+    match run.failure {
+        Some(failure) => Err(failure),
+        None => Ok(Comparison::new(&tube, &run).l1.density),
+    }
+}
+
+/// All runs of one flux, test and step rule.
+struct Series {
+    test: usize,
+    name: &'static str,
+    step: StepRule,
+    /// Courant numbers with errors.
+    points: Vec<(f64, Result<f64, Failure>)>,
+    /// The first failure from below, and how precisely it is known.
+    threshold: Option<(f64, f64, Failure)>,
+}
+
+impl Series {
+    fn new(test: usize, name: &'static str, step: StepRule, grid: &[f64]) -> Self {
+        let points: Vec<_> = grid.iter().map(|&cfl| (cfl, run(test, name, cfl, step))).collect();
+        let first = points.iter().position(|(_, result)| result.is_err());
+        let threshold = first.map(|index| {
+            let mut low = if index == 0 { 0.0 } else { points[index - 1].0 };
+            let (mut high, result) = points[index];
+            let mut failure = result.expect_err("this is where it failed");
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                match run(test, name, middle, step) {
+                    Ok(_) => low = middle,
+                    Err(found) => (high, failure) = (middle, found),
+                }
+            }
+            (low, high, failure)
+        });
+        Self { test, name, step, points, threshold }
+    }
+
+    /// The smallest error of the runs that ended.
+    fn best(&self) -> Option<(f64, f64)> {
+        let ended = self.points.iter().filter_map(|(cfl, result)| Some((*cfl, result.ok()?)));
+        ended.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The largest Courant number up to which the error stays within 1.2 times that of small steps.
+    fn accurate(&self) -> Option<f64> {
+        let reference = run(self.test, self.name, 0.1, StepRule::Current).ok()?;
+        let good =
+            |result: &Result<f64, Failure>| result.is_ok_and(|error| error <= 1.2 * reference);
+        let end = self.points.iter().position(|(_, result)| !good(result));
+        let count = end.unwrap_or(self.points.len());
+        Some(self.points[..count].last()?.0)
+    }
+}
+
+/// Figure and table.
+pub fn items(detail: Detail) -> Vec<Item> {
+    let step = match detail {
+        Detail::Full => 0.1,
+        Detail::Quick => 0.3,
+    };
+    let grid: Vec<f64> = (1..=(3.0 / step) as usize).map(|i| i as f64 * step).collect();
+    let cases: Vec<(usize, &'static str, StepRule)> = (1..=4)
+        .flat_map(|test| LAGRANGIAN.map(|name| (test, name)))
+        .flat_map(|(test, name)| {
+            [StepRule::Current, StepRule::Initial].map(|rule| (test, name, rule))
+        })
+        .collect();
+    let series: Vec<Series> = cases
+        .into_par_iter()
+        .map(|(test, name, rule)| Series::new(test, name, rule, &grid))
+        .collect();
+    vec![figure(&series), table_item("section_3_courant_limits", table(&series))]
+}
+
+fn figure(series: &[Series]) -> Item {
+    let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
+    let mut text = String::from("test,method,step,cfl,l1_density,failure\n");
+    for test in 1..=4 {
+        let mut panel = Panel::new(
+            Axis::linear("Courant number CΔt/Δξ").range(0.0, 3.05),
+            Axis::log("Σ|e|/N of ρ"),
+        )
+        .title(format!("({}) test {test}", char::from(b'a' + test as u8 - 1)))
+        .layer(Rule::vertical(MONOTONE).label("monotone up to 8/5"))
+        .layer(Rule::vertical(STABLE).color(Color::BLACK).label("stable up to 15/8"));
+        for one in series.iter().filter(|one| one.test == test) {
+            for (cfl, result) in &one.points {
+                let (error, failure) = match result {
+                    Ok(error) => (format!("{error:.10e}"), String::new()),
+                    Err(failure) => (String::new(), failure.to_string()),
+                };
+                let name = one.name;
+                text.push_str(&format!("{test},{name},{:?},{cfl},{error},{failure}\n", one.step));
+            }
+        }
+        let current = |one: &&Series| one.test == test && one.step == StepRule::Current;
+        for (index, one) in series.iter().filter(current).enumerate() {
+            let ended: Vec<(f64, f64)> =
+                one.points.iter().map_while(|(cfl, result)| Some((*cfl, result.ok()?))).collect();
+            let last = ended.last().copied();
+            // The same colours as in the other figures: the Lagrangian methods are the last three of five.
+            panel = curve(panel, one.name, index + 2, ended);
+            if let (Some((_, high, _)), Some((_, error))) = (&one.threshold, last) {
+                panel = panel.layer(
+                    Markers::new([(*high, error)], Marker::Cross)
+                        .size(6.0)
+                        .width(1.4)
+                        .label("fails from here on"),
+                );
+            }
+        }
+        figure = figure.panel(panel);
+    }
+    Item::Figure {
+        name: "section_3_courant".into(),
+        figure: Box::new(figure),
+        caption: "Error of the density against the Courant number, step from the current state, N = 100, cubic \
+                  B-spline, l/Δξ = 2. The vertical lines are the limits of linear theory, the crosses the first \
+                  failure. Longer steps are less diffusive, so errors fall with the Courant number where C falls \
+                  as the waves form (tests 1 and 2: the gas that moves has a smaller Courant number than \
+                  the step was made for). Where C rises (tests 3 and 4) runs fail: the first step can only follow \
+                  the initial data, whose star states raise C by the factors of the table of star states, so \
+                  that test 4 fails below 15/8 even with steps from the current state."
+            .into(),
+        data: vec![("section_3_courant.csv".into(), text.into_bytes())],
+        command: COMMAND.into(),
+    }
+}
+
+fn table(series: &[Series]) -> Table {
+    let mut table = Table::new(
+        "Where runs fail, N = 100. Linear theory: 15/8 for a step from the current state, 15/8 over the growth of \
+         C (Table 2) for a step from the initial data. Accurate: the largest Courant number of the sweep up to \
+         which the error of the density stays within 1.2 times that at 0.1 with the current step",
+        &[
+            ("test", Align::Left),
+            ("method", Align::Left),
+            ("step from", Align::Left),
+            ("linear limit", Align::Right),
+            ("accurate up to", Align::Right),
+            ("fails from", Align::Right),
+            ("least L1 ρ", Align::Right),
+            ("at", Align::Right),
+            ("first failure", Align::Left),
+        ],
+    );
+    for one in series {
+        let (rule, limit) = match one.step {
+            StepRule::Current => ("current state", STABLE),
+            StepRule::Initial => ("initial data", STABLE / sound_growth(one.test).max(1.0)),
+        };
+        let end = one.points.last().map_or(0.0, |point| point.0);
+        let (from, reason) = match &one.threshold {
+            Some((low, high, failure)) => (format!("{low:.3}–{high:.3}"), failure.to_string()),
+            None => (format!("above {end:.1}"), String::new()),
+        };
+        let best = one.best();
+        table.push([
+            one.test.to_string(),
+            one.name.into(),
+            rule.into(),
+            significant(limit, 3),
+            one.accurate().map_or_else(|| "–".into(), |cfl| significant(cfl, 2)),
+            from,
+            best.map_or_else(|| "–".into(), |best| significant(best.1, 3)),
+            best.map_or_else(|| "–".into(), |best| significant(best.0, 2)),
+            reason,
+        ]);
+    }
+    table
+}

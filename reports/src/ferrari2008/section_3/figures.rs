@@ -1,0 +1,58 @@
+//! Figures 3 to 21, one for each method and test.
+
+use super::runs::{Runs, TestRun};
+use crate::gas_run;
+use crate::number::significant;
+use crate::page::{Item, Section};
+use courant_simulation::method::Method;
+use courant_simulation::scene::Scene;
+
+/// One section for each test. The paper has no figure of a run that fails; neither is there one here.
+pub fn sections(runs: &Runs) -> Vec<Section> {
+    let mut number = 3;
+    (1..=4)
+        .map(|test| {
+            let mut items = Vec::new();
+            for name in Method::NAMES {
+                let run = runs.get(test, name);
+                match run.run.failure {
+                    None => {
+                        items.push(figure(run, number));
+                        number += 1;
+                    }
+                    Some(failure) => items.push(Item::Paragraph(format!(
+                        "{} fails on test {test} with N = {} ({}): {failure}. The paper reports the \
+                         failure and shows no figure either.",
+                        gas_run::method_title(name),
+                        run.run.profile.len(),
+                        gas_run::settings(&run.method),
+                    ))),
+                }
+            }
+            Section { title: format!("Test {test}"), items }
+        })
+        .collect()
+}
+
+fn figure(run: &TestRun, number: usize) -> Item {
+    let TestRun { test, method, tube, run, comparison } = run;
+    let title = format!("Figure {number}. Test {test}: {}", gas_run::method_title(method.name()));
+    let kind = if run.particle_mass.is_some() { "particles" } else { "cells" };
+    let name = format!("figure_{number}");
+    Item::Figure {
+        figure: Box::new(gas_run::figure(tube, run, &title)),
+        caption: format!(
+            "{title}, t = {}. N = 100 {kind}, γ = 1.4; {}; {} steps. {} of {} {kind} are inside the \
+             domain. Σ|e|/N of the density: {}. Symbols: run; line: exact.",
+            tube.end_time(),
+            gas_run::settings(method),
+            run.steps,
+            comparison.inside,
+            run.profile.len(),
+            significant(comparison.l1.density, 3),
+        ),
+        data: vec![(format!("{name}.csv"), gas_run::profile_csv(tube, run))],
+        command: format!("courant run ferrari{test} --method {}", method.name()),
+        name,
+    }
+}

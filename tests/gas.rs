@@ -1,0 +1,152 @@
+//! Gas dynamics from the command line.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::Path;
+
+fn program() -> Command {
+    assert_cmd::cargo::cargo_bin_cmd!("courant")
+}
+
+fn courant(arguments: &[&str], out: &Path) -> (i32, String, String) {
+    let output =
+        program().args(arguments).arg("--out").arg(out).output().expect("the program starts");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    (output.status.code().expect("no signal"), text(output.stdout), text(output.stderr))
+}
+
+fn json(arguments: &[&str], out: &Path) -> Value {
+    let (code, text, problem) = courant(arguments, out);
+    assert_eq!(code, 0, "{problem}");
+    serde_json::from_str(&text).expect("one JSON object")
+}
+
+#[test]
+fn every_test_runs_with_every_method() {
+    let place = tempfile::tempdir().expect("a directory");
+    let methods =
+        ["lagrangian-exact", "lagrangian-rusanov", "lagrangian-roe", "finite-volume", "sph-adke"];
+    for scene in ["ferrari1", "ferrari2", "ferrari3", "ferrari4"] {
+        for method in methods {
+            let run = json(&["run", scene, "--method", method, "--format", "json"], place.path());
+            assert_eq!(run["schema"], "courant.run/1");
+            assert_eq!((&run["scene"], &run["method"]), (&scene.into(), &method.into()));
+            assert_eq!(run["particles"], 100);
+            let fails = (scene, method) == ("ferrari3", "sph-adke");
+            assert_eq!(run["completed"], !fails, "{scene} {method}");
+            assert_eq!(run["failure"].is_null(), !fails);
+            for column in ["density", "velocity", "pressure", "energy"] {
+                assert_eq!(run["l1"][column].as_f64().is_some(), !fails, "{run}");
+            }
+            for total in ["mass", "momentum", "energy"] {
+                assert!(run["conservation"][total].as_f64().expect("finite").abs() < 1e-3);
+            }
+            for ending in ["csv", "png", "svg"] {
+                assert!(place.path().join(format!("{scene}_{method}.{ending}")).exists());
+            }
+        }
+    }
+}
+
+#[test]
+fn options_reach_the_run() {
+    let place = tempfile::tempdir().expect("a directory");
+    let run = |more: &[&str]| {
+        let plain = ["run", "sod", "--method", "lagrangian-roe", "--format", "json"];
+        json(&[&plain[..], more].concat(), place.path())
+    };
+    let steps = |more: &[&str]| run(more)["steps"].as_u64().expect("a count");
+    let usual = steps(&[]);
+    assert!(steps(&["--particles", "200"]) > usual);
+    assert!(steps(&["--cfl", "9/20"]) > usual);
+    assert_eq!(run(&["--time", "0.1"])["time"], 0.1);
+    let error = |more: &[&str]| run(more)["l1"]["density"].as_f64().expect("it ends");
+    assert!(error(&["--ratio", "4"]) > error(&[]));
+    assert_ne!(error(&["--kernel", "wendland-c2"]), error(&[]));
+    let wave = ["run", "simple-wave", "--method", "lagrangian-exact", "--format", "json"];
+    // The amplitude is 0.1.
+    assert!(json(&wave, place.path())["l1"]["density"].as_f64().expect("it ends") < 0.03);
+}
+
+#[test]
+fn bad_input_is_one_line_and_writes_nothing() {
+    let place = tempfile::tempdir().expect("a directory");
+    let out = place.path().join("out");
+    let volumes = ["run", "sod", "--method", "finite-volume"];
+    let roe = ["run", "sod", "--method", "lagrangian-roe"];
+    for (arguments, words) in [
+        (vec!["run", "ferrari1"], ["--method", "sph-adke"]),
+        (vec!["run", "ferrari1", "--method", "lagrangian-row"], ["lagrangian-row", "did you mean"]),
+        (vec!["run", "ferrari9", "--method", "sph-adke"], ["ferrari9", "accepted"]),
+        ([&volumes[..], &["--ratio", "2"]].concat(), ["--ratio 2", "finite-volume"]),
+        ([&volumes[..], &["--kernel", "cubic"]].concat(), ["--kernel cubic-spline", "kernel"]),
+        ([&roe[..], &["--particles", "5"]].concat(), ["--particles 5", "7"]),
+        ([&roe[..], &["--ratio", "0.3"]].concat(), ["--ratio 0.3", "reach"]),
+        (
+            vec!["run", "simple-wave", "--method", "lagrangian-roe", "--time", "9"],
+            ["--time 9", "below"],
+        ),
+        (vec!["run", "nowhere.toml", "--method", "lagrangian-roe"], ["nowhere.toml", "density"]),
+    ] {
+        let (code, text, problem) = courant(&arguments, &out);
+        assert_eq!((code, text.as_str()), (2, ""), "{arguments:?}");
+        assert_eq!(problem.lines().count(), 1, "{problem}");
+        assert!(words.iter().all(|word| problem.contains(word)), "{problem}");
+        assert!(!out.exists(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_tube_of_ones_own_is_the_standard_one_under_another_name() {
+    let place = tempfile::tempdir().expect("a directory");
+    let file = place.path().join("mine.toml");
+    let text = "gamma = 1.4\ndomain = [0.0, 1.0]\ndiaphragm = 0.5\nend_time = 0.2\n\n\
+                [left]\ndensity = 1.0\nvelocity = 0.0\npressure = 1.0\n\n\
+                [right]\ndensity = 0.125\nvelocity = 0.0\npressure = 0.1\n";
+    std::fs::write(&file, text).expect("the directory accepts files");
+    let path = file.to_str().expect("a plain path");
+    let run = |scene: &str| {
+        json(&["run", scene, "--method", "lagrangian-exact", "--format", "json"], place.path())
+    };
+    assert_eq!(run(path)["l1"], run("sod")["l1"]);
+    assert_eq!(run(path)["scene"], "mine");
+    for (from, to, line, word) in [
+        ("density = 0.125", "density = -0.125", 12, "right.density = -0.125"),
+        ("velocity = 0.0\npressure = 0.1\n", "velocity = 0.0\n", 11, "pressure"),
+        ("gamma = 1.4\n", "gamma = 1.4\nmethod = \"godunov\"\n", 2, "lagrangian-exact"),
+    ] {
+        std::fs::write(&file, text.replace(from, to)).expect("the directory accepts files");
+        let (code, _, problem) =
+            courant(&["run", path, "--method", "lagrangian-exact"], place.path());
+        assert_eq!((code, problem.lines().count()), (2, 1), "{problem}");
+        let wanted = format!("mine.toml, line {line}:");
+        assert!(problem.contains(&wanted) && problem.contains(word), "{problem}");
+    }
+}
+
+#[test]
+fn scenes_and_methods_are_listed_with_sources() {
+    let list = |topic: &str| {
+        let output = program().args(["list", topic, "--format", "json"]).output();
+        let text = output.expect("the program starts").stdout;
+        serde_json::from_slice::<Value>(&text).expect("one JSON object")[topic].clone()
+    };
+    let source = |list: &Value, name: &str| {
+        let entries = list.as_array().expect("a list");
+        let entry = entries.iter().find(|entry| entry["name"] == name).expect("it is listed");
+        entry["source"].as_str().expect("text").to_string()
+    };
+    let scenes = list("scenes");
+    for name in ["ferrari1", "ferrari2", "ferrari3", "ferrari4"] {
+        assert!(source(&scenes, name).contains("Table 2"));
+    }
+    let methods = list("methods");
+    for name in ["lagrangian-exact", "lagrangian-rusanov", "lagrangian-roe", "sph-adke"] {
+        assert!(source(&methods, name).contains("Ferrari et al. 2008"), "{name}");
+    }
+    let figures = list("figures");
+    for number in 3..=21 {
+        let wanted = format!("Figure {number}");
+        assert!(source(&figures, &format!("figure_{number}")).ends_with(&wanted));
+    }
+}
