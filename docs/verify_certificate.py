@@ -80,11 +80,17 @@ def check_stability(c, proof, m, lower, upper):
               for i, x in enumerate(h)) and sum(x * t**j for j, x in enumerate(at(s))) < 0, "the witness does not grow")
         return t
     start, lowered = number(proof["from"]), moved(-1)
-    def signs(a, b):
+    def signs(a, b):  # over reached <= t <= to
         columns = zip(*(bernstein(row, a, b)[1] for row in lowered))
-        return list(map("".join, zip(*(bernstein(list(column), start, lower)[0] for column in columns))))
-    check(0 <= start < lower if lower else not start and not proof["boxes"], "the interval has no length")
-    if lower: check_cover(proof["boxes"], F(0), F(1), signs)
+        return list(map("".join, zip(*(bernstein(list(column), reached, to)[0] for column in columns))))
+    check(0 <= start < lower if lower else not start and not proof["pieces"], "the interval has no length")
+    reached = start
+    for piece in proof["pieces"]:
+        to = number(piece["to"])
+        check(reached < to, "the pieces do not follow each other")
+        check_cover(piece["boxes"], F(0), F(1), signs)
+        reached = to
+    check(reached == lower, "the pieces do not reach the limit")
     check((proof["below"] is None) == (start == 0) and (proof["unstable"] is None) == (upper is None), "a witness is missing")
     if start: check(start - start/2**18 <= grows(proof["below"]) < start, "not just below the interval")
     if upper is not None:

@@ -101,8 +101,8 @@ pub struct StabilityProof {
     pub below: Option<GrowingWave>,
     /// Where it ends.
     pub limit: CertifiedLimit,
-    /// A cover of `0 ≤ s ≤ 1` without a negative Bernstein coefficient; empty when the limit is 0.
-    pub boxes: Vec<CertifiedBox>,
+    /// The interval of `t` piece by piece; empty when the limit is 0.
+    pub pieces: Vec<CertifiedPiece>,
     /// Why stability is lost; `None` when the interval reaches the end of the range looked at.
     #[serde(deserialize_with = "stated")]
     pub unstable: Option<UnstableClaim>,
@@ -143,6 +143,16 @@ pub struct CertifiedLimit {
     /// The limit on `C` in closed form when the two agree, such as `15/8` or `sqrt(8/3)`.
     #[serde(deserialize_with = "stated")]
     pub courant_number: Option<String>,
+}
+
+/// A piece of the stable interval: it begins where the one before it ends.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CertifiedPiece {
+    /// Where it ends, in `t`; the last one at `limit.lower`.
+    pub to: Exact,
+    /// A cover of `0 ≤ s ≤ 1` without a negative Bernstein coefficient.
+    pub boxes: Vec<CertifiedBox>,
 }
 
 /// An interval of `s` (or of `C`, for monotonicity) with the signs of the Bernstein coefficients above it.

@@ -2,8 +2,8 @@
 
 use super::{
     BindingCoefficient, Certificate, CertifiedBox, CertifiedCoefficient, CertifiedLimit,
-    CertifiedStencil, CertifiedSymbol, Exact, FactoredMargin, GrowingWave, MonotonicityProof,
-    Proof, StabilityProof, Subject, UnstableClaim,
+    CertifiedPiece, CertifiedStencil, CertifiedSymbol, Exact, FactoredMargin, GrowingWave,
+    MonotonicityProof, Proof, StabilityProof, Subject, UnstableClaim,
 };
 use crate::bernstein::{MarginForm, Sign, SignedBox, exact_cover, is_negative_between};
 use crate::limit::{
@@ -20,6 +20,10 @@ use thiserror::Error;
 
 /// Boxes a cover may have.
 const MAX_BOXES: usize = 20_000;
+
+/// Boxes a cover may have before its piece of `t` is halved, and how many pieces are looked at.
+const BOXES_OF_A_PIECE: usize = 400;
+const MAX_PIECES: usize = 400;
 
 /// How far above the limit instability is shown, relative: powers of one half, the widest that works.
 const ABOVE: [i32; 6] = [20, 26, 32, 38, 44, 50];
@@ -135,8 +139,7 @@ impl StabilityProver<'_> {
             None => power(&exactly(interval.from.upper()), stride),
         };
         let (lower, upper) = ends(&interval.to, stride, max_courant);
-        let cover = exact_cover(&self.form, &from, &lower, MAX_BOXES)
-            .ok_or(CertificationError::TooLarge)?;
+        let pieces = self.pieces(&from, &lower)?;
         let unstable = match &upper {
             Some(upper) => Some(self.unstable(&interval.to, upper, max_courant)?),
             None => None,
@@ -147,9 +150,41 @@ impl StabilityProver<'_> {
             below: self.below(&interval.from, &from)?,
             from: from.into(),
             limit: certified_limit(&interval.to, lower, upper),
-            boxes: cover.into_iter().map(certified_box).collect(),
+            pieces,
             unstable,
         })
+    }
+
+    /// Covers of all waves over an interval of `t`, which is halved where boxes over all of it would never
+    /// do: of a degree above one in `t` the Bernstein coefficients may stay negative however small `s` is.
+    fn pieces(
+        &self,
+        from: &Rational,
+        to: &Rational,
+    ) -> Result<Vec<CertifiedPiece>, CertificationError> {
+        let linear = self.margin.powers() <= 2;
+        let (boxes, mut left) =
+            if linear { (MAX_BOXES, 1) } else { (BOXES_OF_A_PIECE, MAX_PIECES) };
+        let mut pieces = Vec::new();
+        let mut pending = vec![(from.clone(), to.clone())];
+        while let Some((from, to)) = pending.pop() {
+            if left == 0 {
+                return Err(CertificationError::TooLarge);
+            }
+            left -= 1;
+            match exact_cover(&self.form, &from, &to, boxes) {
+                Some(cover) => pieces.push(CertifiedPiece {
+                    to: to.into(),
+                    boxes: cover.into_iter().map(certified_box).collect(),
+                }),
+                None => {
+                    let middle = (&from + &to) / integer(2);
+                    pending.push((middle.clone(), to));
+                    pending.push((from, middle));
+                }
+            }
+        }
+        Ok(pieces)
     }
 
     fn no_limit(
@@ -164,7 +199,7 @@ impl StabilityProver<'_> {
             from: zero.clone().into(),
             below: None,
             limit: certified_limit(limit, zero.clone(), Some(zero.clone())),
-            boxes: Vec::new(),
+            pieces: Vec::new(),
             unstable: Some(self.unstable(limit, &zero, max_courant)?),
         })
     }

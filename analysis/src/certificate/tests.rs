@@ -185,6 +185,7 @@ fn a_wrong_limit_cannot_be_certified() {
         upper: Some(ratio(19, 10).into()),
         courant_number: Some("19/10".into()),
     };
+    proof.pieces[0].to = ratio(19, 10).into();
     let claim = proof.unstable.as_mut().unwrap();
     claim.witness.courant_number = Exact(ratio(19, 10) * ratio((1 << 20) + 1, 1 << 20));
     let error = verify(&certificate).unwrap_err();

@@ -1,6 +1,8 @@
 //! Stability below the limit, and a growing wave above it.
 
-use super::super::{CertifiedSymbol, FactoredMargin, GrowingWave, StabilityProof, UnstableClaim};
+use super::super::{
+    CertifiedBox, CertifiedSymbol, FactoredMargin, GrowingWave, StabilityProof, UnstableClaim,
+};
 use super::arithmetic::{bernstein, covers, sign};
 use super::margin::{Decider, check_margin};
 use super::{CertificateError, check_limit, ensure, nearness};
@@ -21,32 +23,19 @@ pub(super) fn check_stability(
     check_limit(&proof.limit, margin.stride)?;
 
     let (from, lower) = (&proof.from.0, &proof.limit.lower.0);
+    let mut boxes = 0;
     if lower.is_zero() {
-        ensure(from.is_zero() && proof.boxes.is_empty(), "a limit of 0 leaves nothing to cover")?;
+        ensure(from.is_zero() && proof.pieces.is_empty(), "a limit of 0 leaves nothing to cover")?;
     } else {
-        ensure(!from.is_negative() && from < lower, "the stable interval has no length")?;
-        ensure(
-            covers(&proof.boxes, &Rational::zero(), &Rational::one()),
-            "the boxes do not cover all waves",
-        )?;
-        let lowered = decider.shifted(-1);
-        for each in &proof.boxes {
-            let rows: Vec<_> =
-                lowered.iter().map(|row| bernstein(row, &each.from.0, &each.to.0)).collect();
-            let columns: Vec<Vec<BigInt>> = (0..rows[0].len())
-                .map(|i| {
-                    let column: Vec<_> = rows.iter().map(|row| row[i].clone()).collect();
-                    bernstein(&column, from, lower)
-                })
-                .collect();
-            let signs: Vec<String> = (0..rows.len())
-                .map(|j| columns.iter().map(|column| sign(&column[j])).collect())
-                .collect();
-            ensure(
-                each.signs == signs && !signs.iter().any(|row| row.contains('-')),
-                "a box has other signs than stated",
-            )?;
+        ensure(!from.is_negative(), "the stable interval begins below 0")?;
+        let mut reached = from;
+        for piece in &proof.pieces {
+            ensure(*reached < piece.to.0, "the pieces of the interval do not follow each other")?;
+            check_piece(&decider, reached, &piece.to.0, &piece.boxes)?;
+            reached = &piece.to.0;
+            boxes += piece.boxes.len();
         }
+        ensure(reached == lower && from < lower, "the pieces do not reach the limit")?;
     }
     match &proof.below {
         None => ensure(from.is_zero(), "the interval begins above 0 without a reason")?,
@@ -60,13 +49,42 @@ pub(super) fn check_stability(
         }
     }
     match (&proof.unstable, &proof.limit.upper) {
-        (None, None) => Ok(proof.boxes.len()),
+        (None, None) => Ok(boxes),
         (Some(claim), Some(upper)) => {
             check_unstable(&decider, margin, claim, &upper.0)?;
-            Ok(proof.boxes.len())
+            Ok(boxes)
         }
         _ => Err(CertificateError("an upper end comes with a growing wave".into())),
     }
+}
+
+/// All signs above one piece of the interval of `t`.
+fn check_piece(
+    decider: &Decider,
+    from: &Rational,
+    to: &Rational,
+    boxes: &[CertifiedBox],
+) -> Result<(), CertificateError> {
+    ensure(covers(boxes, &Rational::zero(), &Rational::one()), "the boxes do not cover all waves")?;
+    let lowered = decider.shifted(-1);
+    for each in boxes {
+        let rows: Vec<_> =
+            lowered.iter().map(|row| bernstein(row, &each.from.0, &each.to.0)).collect();
+        let columns: Vec<Vec<BigInt>> = (0..rows[0].len())
+            .map(|i| {
+                let column: Vec<_> = rows.iter().map(|row| row[i].clone()).collect();
+                bernstein(&column, from, to)
+            })
+            .collect();
+        let signs: Vec<String> = (0..rows.len())
+            .map(|j| columns.iter().map(|column| sign(&column[j])).collect())
+            .collect();
+        ensure(
+            each.signs == signs && !signs.iter().any(|row| row.contains('-')),
+            "a box has other signs than stated",
+        )?;
+    }
+    Ok(())
 }
 
 fn check_unstable(
