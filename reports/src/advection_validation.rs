@@ -9,6 +9,7 @@ use courant_simulation::advection::{
 use num_traits::Zero;
 use rayon::prelude::*;
 use serde::Serialize;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Where a Courant number lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -138,13 +139,20 @@ impl ValidatedCase {
     }
 }
 
-/// Runs the cases side by side; the answers do not depend on the number of threads.
+/// Runs the cases side by side; the answers do not depend on the number of threads. `observe(done, all)`
+/// is called after each.
 ///
 /// # Errors
 /// When a number of a plan is out of range.
-pub fn run_cases(cases: Vec<ValidationCase>) -> Result<Vec<ValidatedCase>, ValidationError> {
+pub fn run_cases(
+    cases: Vec<ValidationCase>,
+    observe: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<ValidatedCase>, ValidationError> {
+    let (all, done) = (cases.len(), AtomicUsize::new(0));
     let run = |case: ValidationCase| {
-        validate(&case.plan).map(|validation| ValidatedCase { case, validation })
+        let validation = validate(&case.plan);
+        observe(done.fetch_add(1, Ordering::Relaxed) + 1, all);
+        validation.map(|validation| ValidatedCase { case, validation })
     };
     cases.into_par_iter().map(run).collect()
 }
@@ -306,7 +314,7 @@ mod tests {
         let settings = Settings { particles: 32, steps: 3, ..Settings::default() };
         for scheme in AdvectionScheme::ALL {
             let cases = ValidationCase::about_the_limit(&discretisation(scheme), settings);
-            for case in run_cases(cases).unwrap() {
+            for case in run_cases(cases, &|_, _| ()).unwrap() {
                 let gain = case.largest_gain();
                 match case.case.regime {
                     Regime::Unstable => assert!(gain > 1.01, "{scheme} {gain}"),
@@ -337,7 +345,7 @@ mod tests {
         let faulty = Settings { fault: Some(Fault { offset: -1, by: 1e-9 }), ..sound };
         let mut cases = vec![ValidationCase::at(discretisation.clone(), &integer(1), sound)];
         let record = |cases: &[ValidationCase]| {
-            ValidationRecord::new(sound, &run_cases(cases.to_vec()).unwrap())
+            ValidationRecord::new(sound, &run_cases(cases.to_vec(), &|_, _| ()).unwrap())
         };
         assert!(record(&cases).passed);
         cases.push(ValidationCase::at(discretisation, &integer(1), faulty));

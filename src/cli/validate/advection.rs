@@ -2,6 +2,7 @@
 
 use super::Arguments;
 use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::progress::Bar;
 use crate::cli::{Failure, Outcome};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::rational::{integer, to_f64, to_text};
@@ -21,8 +22,13 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         fault: arguments.fault.as_ref().map(|by| Fault { offset: -1, by: to_f64(by) }),
         ..defaults
     };
-    let cases = run_cases(cases(arguments, settings)?)
-        .map_err(|error| Failure::Message(error.to_string()))?;
+    let cases = cases(arguments, settings)?;
+    let bar = Bar::new("validate");
+    let cases = run_cases(cases, &|done, all| {
+        let _ = bar.advance(done, all);
+    })
+    .map_err(|error| Failure::Message(error.to_string()))?;
+    bar.finish();
     let record = ValidationRecord::new(settings, &cases);
     // One case is shown mode by mode, several case by case.
     let table = match cases.as_slice() {

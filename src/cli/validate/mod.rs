@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = steps)]
     steps: Option<u64>,
     /// Add this to the coefficient of the upwind neighbour in the stepping code, to see the check fail.
-    #[arg(long, value_parser = numbers::number, allow_negative_numbers = true, hide = true)]
+    #[arg(long, value_parser = numbers::number, allow_hyphen_values = true, hide = true)]
     fault: Option<Rational>,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]

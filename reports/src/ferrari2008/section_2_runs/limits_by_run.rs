@@ -268,3 +268,32 @@ fn long_runs_table(runs: &[LongCase], steps: u64) -> Table {
     }
     table
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_runs_find_the_limit_of_the_symbol_on_the_ring() {
+        for (case, found) in compare(Detail::Quick) {
+            let found = found.unwrap();
+            // The bracket is that wide, and its ends are one bisection of the limit.
+            assert!((found.measured.stable - found.ring).abs() <= RESOLUTION, "{case:?}");
+            assert!((found.measured.unstable - found.ring).abs() <= RESOLUTION, "{case:?}");
+            // A ring holds fewer waves than the lattice.
+            assert!(found.ring >= found.proved.lower() - 1e-12, "{case:?}");
+        }
+    }
+
+    #[test]
+    fn long_runs_grow_above_a_limit_only() {
+        for LongCase { what, run, .. } in long_runs(20_000) {
+            if what.contains("above") {
+                assert!(run.predicted_gain > 1.0, "{what}");
+            } else if what.contains("below") {
+                assert!(run.predicted_gain < 1.0 + 1e-15, "{what}");
+                assert_ne!(run.growth.verdict, GrowthVerdict::Growing, "{what}");
+            }
+        }
+    }
+}

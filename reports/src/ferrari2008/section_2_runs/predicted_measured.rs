@@ -30,7 +30,7 @@ pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
             cases.extend(ValidationCase::about_the_limit(&discretisation, settings));
         }
     }
-    let cases = run_cases(cases).expect("the numbers of the plans are in range");
+    let cases = run_cases(cases, &|_, _| ()).expect("the numbers of the plans are in range");
     let worst = cases.iter().map(|case| case.validation.max_error).fold(0.0, f64::max);
     let agree = cases.iter().filter(|case| case.validation.passed()).count();
     let modes: usize = cases.iter().map(|case| case.validation.rows.len()).sum();

@@ -341,3 +341,42 @@ fn data(test: &Test, choices: &[Choice]) -> Vec<u8> {
     }
     text.into_bytes()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_sizes_are_run_for_choices_on_a_front_only() {
+        let choices: Vec<Choice> =
+            choices(Detail::Quick).into_iter().filter(|choice| choice.method.ratio < 2.5).collect();
+        let test = measure(Scene::Gaussian, &choices, Detail::Quick);
+        let (small, large) = sizes(Detail::Quick);
+        let at = |particles: usize| {
+            test.points.iter().filter(move |p| p.cost.plan.particles == particles).count()
+        };
+        assert!(small.iter().all(|&particles| at(particles) == choices.len()));
+        assert!(at(large[0]) > 0 && at(large[0]) < choices.len());
+        // The end of the front is the smallest error of all, whatever it costs.
+        let costs = test.costs(CostMeasure::Interactions);
+        let front = test.front(CostMeasure::Interactions);
+        let smallest = costs.iter().map(|cost| cost.1).fold(f64::INFINITY, f64::min);
+        assert_eq!(costs[*front.last().unwrap()].1, smallest);
+        // With several neighbours nothing of ratio 1 is left.
+        let several = test.front_among(CostMeasure::Interactions, Neighbours::Several, &choices);
+        assert!(!several.is_empty());
+        assert!(several.iter().all(|&i| choices[test.points[i].choice].method.ratio == 2.0));
+    }
+
+    #[test]
+    fn a_courant_number_is_a_share_of_the_limit() {
+        let found = choices(Detail::Quick);
+        let godunov = found.iter().find(|choice| {
+            let Method { scheme, kernel, ratio, .. } = choice.method;
+            (scheme, kernel, ratio) == (AdvectionScheme::GodunovSph, Kernel::CubicSpline, 2.0)
+        });
+        // Half of 15/8, and a little more for the growth allowed.
+        let courant_number = godunov.unwrap().method.courant_number;
+        assert!((0.9375..0.9385).contains(&courant_number), "{courant_number}");
+    }
+}
