@@ -3,6 +3,7 @@
 //! [`figure`] draws: plain data in, PNG or SVG bytes out. [`table`] sets numbers, [`page`] puts both into a
 //! report, [`publish`] writes files whole or not at all. Each paper has a module of its own.
 
+pub mod cha_whitworth2003;
 pub mod ferrari2008;
 pub mod figure;
 pub mod npy;
@@ -27,4 +28,6 @@ pub struct CatalogueItem {
 }
 
 /// Every table and figure a report makes.
-pub const CATALOGUE: &[CatalogueItem] = ferrari2008::CATALOGUE;
+pub fn catalogue() -> impl Iterator<Item = &'static CatalogueItem> {
+    ferrari2008::CATALOGUE.iter().chain(cha_whitworth2003::CATALOGUE)
+}

@@ -144,13 +144,12 @@ impl WaveMap {
         let damping = field(damping)?;
         let border =
             Isolines::new(damping.clone(), [1.0]).without_values().color(Color::BLACK).width(1.4);
+        let hatch = match self.shown {
+            Shown::PhaseError => Color::WHITE,
+            Shown::Amplitude => Color::BLACK,
+        };
         panel = panel
-            .layers(regions(
-                &damping,
-                1.0,
-                Color::BLACK,
-                "over-damped: both waves decay, none travels",
-            ))
+            .layers(regions(&damping, 1.0, hatch, "over-damped: both waves decay, none travels"))
             .layer(border);
         let unstable =
             field(self.damping_ratio.mapv(|ratio| if ratio.is_nan() { 1.0 } else { 0.0 }))?;
