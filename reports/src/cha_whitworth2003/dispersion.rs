@@ -113,3 +113,40 @@ fn figure_item(name: &str, figure: Figure, caption: String, data: Vec<(String, V
     let figure = Box::new(figure);
     Item::Figure { name: name.into(), figure, caption, data, command: COMMAND.into() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use courant_analysis::sweep::no_progress;
+
+    #[test]
+    fn the_sections_show_what_the_catalogue_names_with_the_true_numbers() {
+        let sections = dispersion_sections(Detail::Quick, &no_progress).unwrap();
+        let items: Vec<&Item> = sections.iter().flat_map(|section| &section.items).collect();
+        let named = |wanted: &str| {
+            items.iter().find(|item| match item {
+                Item::Figure { name, .. } | Item::Table { name, .. } => name == wanted,
+                Item::Paragraph(_) => false,
+            })
+        };
+        for entry in CATALOGUE {
+            assert!(named(entry.name).is_some(), "{} is missing", entry.name);
+        }
+        // The speed of long waves with the cubic spline, from the lattice sums by hand.
+        let Some(Item::Figure { caption, .. }) = named("figure_2") else { panic!("no Figure 2") };
+        for error in ["+6.4 %", "+7.9 %", "-4.3 %", "-22.2 %"] {
+            assert!(caption.contains(error), "{caption}");
+        }
+        let Some(Item::Table { table, .. }) = named("integrator_table") else { panic!("no table") };
+        let csv = table.to_csv();
+        // At h = Δ: ω0² ≤ 8 c²/Δ², leapfrog 2/√8, RK4 √8/√8; and the fractions at 6/5.
+        for value in ["sqrt(1/2)", "779/810", "1.341391", "1.395179", "0.4281353", "1.032397"] {
+            assert!(csv.contains(value), "{value} in {csv}");
+        }
+        let text = sections[1].items.iter().find_map(|item| match item {
+            Item::Paragraph(text) => Some(text.as_str()),
+            _ => None,
+        });
+        assert!(text.is_some_and(|text| text.contains("0.6180 c and -1.618 c")));
+    }
+}

@@ -21,7 +21,7 @@ const VISCOUS: fn() -> WaveMethod = || WaveMethod::SphAv { alpha: integer(1) };
 
 pub fn items(detail: Detail, progress: Progress<'_>) -> Result<Vec<Item>, ReportError> {
     let (columns, rows) = match detail {
-        Detail::Full => (300, 251),
+        Detail::Full => (200, 151),
         Detail::Quick => (60, 51),
     };
     let phases = phases(columns);

@@ -94,11 +94,18 @@ fn figure() -> Result<Item, ReportError> {
         ));
     }
     let figure = Figure::grid(1, 2).size(7.6, 3.5).panel(speed).panel(damping).legend_below();
-    let caption = "The two relations of Godunov particle hydrodynamics. (a) The printed one is not symmetric: its two \
-                   waves travel at different speeds, neither of them c. (b) Only the resolved one is damped: by less \
-                   than one part in e per wavelength for long waves, by several for short ones. Cubic B-spline, \
-                   ρ0 = M/Δ, 0 < κΔ ≤ π, exact in time."
-        .into();
+    let usual = waves(Form::Resolved, false)?;
+    let largest = phases
+        .iter()
+        .map(|&phase| damping_per_wavelength(usual.mode(phase).frequencies().forward, phase))
+        .fold(0.0, f64::max);
+    let caption = format!(
+        "The two relations of Godunov particle hydrodynamics. (a) The printed one is not symmetric: its two waves travel \
+         at different speeds, neither of them c. (b) Only the resolved one is damped: in proportion to κ for long waves \
+         (first order), by up to {} per wavelength at h/Δ = {}. Cubic B-spline, ρ0 = M/Δ, 0 < κΔ ≤ π, exact in time.",
+        significant(largest, 3),
+        to_text(&usual_ratio())
+    );
     Ok(figure_item(
         "godunov_forms",
         figure,

@@ -64,8 +64,8 @@ pub fn items() -> Result<Vec<Item>, ReportError> {
                 series as coefficients, whose signs are decided in exact arithmetic: the limits below are proved over all \
                 wavelengths for the cubic B-spline and enclosed for the Gaussian. A limit 0 means that some wave grows at \
                 every step; where that growth is weak (forward Euler and second-order Runge–Kutta without viscosity) the \
-                last column gives the step up to which it stays below 1e-3. Symplectic Euler and the leapfrogs without \
-                viscosity lose stability through a double multiplier −1: at the limit itself the amplitude grows linearly, \
+                last column gives the step up to which it stays below 1e-3. Symplectic Euler, the leapfrogs and the predictor–corrector without viscosity lose \
+                stability through a double multiplier −1: at the limit itself the amplitude grows linearly, \
                 so only smaller steps are stable.";
     Ok(vec![Item::Paragraph(text.into()), by_integrator()?, by_kernel()?])
 }
