@@ -6,6 +6,7 @@
 pub mod advection_profile;
 pub mod advection_validation;
 pub mod certificate_file;
+pub mod cha_whitworth2003;
 pub mod ferrari2008;
 pub mod figure;
 pub mod gas_run;
@@ -30,33 +31,9 @@ pub struct CatalogueItem {
     pub source: &'static str,
 }
 
-/// The lists of the reports' parts.
-const LISTS: &[&[CatalogueItem]] = &[ferrari2008::CATALOGUE, ferrari2008::section_3::CATALOGUE];
-
 /// Every table and figure a report makes.
-pub const CATALOGUE: &[CatalogueItem] = &joined::<{ total(LISTS) }>(LISTS);
-
-const fn total(lists: &[&[CatalogueItem]]) -> usize {
-    let (mut count, mut i) = (0, 0);
-    while i < lists.len() {
-        count += lists[i].len();
-        i += 1;
-    }
-    count
-}
-
-/// The lists one after the other; iterators are not for constants.
-const fn joined<const N: usize>(lists: &[&[CatalogueItem]]) -> [CatalogueItem; N] {
-    let mut all = [lists[0][0]; N];
-    let (mut next, mut i) = (0, 0);
-    while i < lists.len() {
-        let mut j = 0;
-        while j < lists[i].len() {
-            all[next] = lists[i][j];
-            next += 1;
-            j += 1;
-        }
-        i += 1;
-    }
-    all
+pub fn catalogue() -> impl Iterator<Item = &'static CatalogueItem> {
+    [ferrari2008::CATALOGUE, ferrari2008::section_3::CATALOGUE, cha_whitworth2003::CATALOGUE]
+        .into_iter()
+        .flatten()
 }

@@ -49,6 +49,18 @@ pub struct WaveMap {
 
 /// The phase error over `(κ, h)`; of `scheme` all but the ratio is used.
 ///
+/// ```
+/// use courant_analysis::dispersion::{WaveMethod, WaveScheme};
+/// use courant_analysis::{kernel::Kernel, rational::integer, sweep::no_progress};
+/// use courant_reports::wave_map::phase_error_map;
+/// let scheme = WaveScheme::new(WaveMethod::Sph, Kernel::CubicSpline, &integer(1))?;
+/// let map = phase_error_map(&scheme, &[1.0, 2.0], &[integer(1), integer(2)], &no_progress)?;
+/// // At h = Δ: ω² = 4(1 − cos κ) − sin²κ, in units of c²/Δ².
+/// let exact = 1.0 - (4.0 * (1.0 - 2f64.cos()) - 2f64.sin().powi(2)).sqrt() / 2.0;
+/// assert!((map.values[[1, 0]] - exact.abs()).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// When a ratio is out of range or the callback stops the sweep.
 pub fn phase_error_map(
@@ -144,22 +156,20 @@ impl WaveMap {
         let damping = field(damping)?;
         let border =
             Isolines::new(damping.clone(), [1.0]).without_values().color(Color::BLACK).width(1.4);
-        panel = panel
-            .layers(regions(
-                &damping,
-                1.0,
-                Color::BLACK,
-                "over-damped: both waves decay, none travels",
-            ))
-            .layer(border);
+        let over_damped = regions(&damping, 1.0).map(|region| {
+            let region = match self.shown {
+                // All of one value: the tint is that of the map, so that the legend shows it too.
+                Shown::PhaseError => region.fill(ColorMap::Blues.at(1.0), 1.0).hatch(Color::WHITE),
+                Shown::Amplitude => region.hatch(Color::BLACK),
+            };
+            region.label("over-damped: both waves decay, none travels")
+        });
+        panel = panel.layers(over_damped).layer(border);
         let unstable =
             field(self.damping_ratio.mapv(|ratio| if ratio.is_nan() { 1.0 } else { 0.0 }))?;
-        Ok(panel.layers(regions(
-            &unstable,
-            0.5,
-            Color::VERMILION,
-            "lattice unstable: the wave grows",
-        )))
+        let growing = regions(&unstable, 0.5)
+            .map(|region| region.hatch(Color::VERMILION).label("lattice unstable: the wave grows"));
+        Ok(panel.layers(growing))
     }
 
     /// The bands of the colour bar.
@@ -214,7 +224,7 @@ impl WaveMap {
         for ((i, j), shown) in self.values.indexed_iter() {
             let (kappa, other) = (self.kappas[i], self.second[j]);
             let damping = self.damping_ratio[[i, j]];
-            text.push_str(&format!("{kappa},{other},{shown},{damping}\n"));
+            text.push_str(&format!("{kappa:.6},{other:.6},{shown:.9},{damping:.6}\n"));
         }
         vec![
             (format!("{stem}.csv"), text.into_bytes()),
@@ -238,18 +248,10 @@ fn range(values: &[f64]) -> (f64, f64) {
     (values[0], values[values.len() - 1])
 }
 
-/// The regions where a field is at least `level`, hatched.
-fn regions<'a>(
-    field: &Field,
-    level: f64,
-    color: Color,
-    label: &'a str,
-) -> impl Iterator<Item = Region> + use<'a> {
-    field.region_at_least(level).into_iter().map(move |ring| {
-        Region::polygon(ring.into_iter().map(|point| (point[0], point[1])))
-            .hatch(color)
-            .label(label)
-    })
+/// The regions where a field is at least `level`.
+fn regions(field: &Field, level: f64) -> impl Iterator<Item = Region> + use<> {
+    let ring_region = |ring: Vec<[f64; 2]>| Region::polygon(ring.into_iter().map(|p| (p[0], p[1])));
+    field.region_at_least(level).into_iter().map(ring_region)
 }
 
 /// The largest stable `c Δt/h` over `(h, α)` for one integrator; arrays are `[h, α]`.
@@ -337,5 +339,58 @@ impl StepMap {
             (format!("{stem}.csv"), text.into_bytes()),
             (format!("{stem}_stable_step.npy"), npy::encode(&self.steps)),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use courant_analysis::dispersion::{Frequencies, Regime, WaveMethod};
+    use courant_analysis::kernel::Kernel;
+    use courant_analysis::rational::{integer, ratio};
+    use courant_analysis::sweep::no_progress;
+
+    fn scheme(method: WaveMethod, kernel: Kernel) -> WaveScheme {
+        WaveScheme::new(method, kernel, &ratio(6, 5)).unwrap()
+    }
+
+    #[test]
+    fn amplitudes_are_where_they_belong() {
+        let viscous = scheme(WaveMethod::SphAv { alpha: integer(1) }, Kernel::CubicSpline);
+        let (kappas, alphas) = ([0.5, 1.5, 3.0], [0.0, 2.0]);
+        let map = amplitude_map(&viscous, &kappas, &alphas, &no_progress).unwrap();
+        assert_eq!(map.values.dim(), (3, 2));
+        for ((i, j), value) in map.values.indexed_iter() {
+            let mode = viscous.compile().mode(kappas[i]);
+            let waves = Frequencies::of(mode.restoring, alphas[j] * mode.damping, 0.0);
+            assert!((value - waves.forward.im.exp()).abs() < 1e-15);
+            assert_eq!(map.damping_ratio[[i, j]] > 1.0, waves.regime == Regime::OverDamped);
+        }
+        assert!(map.has_over_damped());
+        let svg = map.figure("waves").unwrap().svg().unwrap();
+        assert!(svg.contains("over-damped") && !svg.contains("lattice unstable"));
+    }
+
+    #[test]
+    fn an_unstable_lattice_is_named() {
+        // The quartic spline loses its restoring force from h/Δ of about 2.1 on.
+        let sph = scheme(WaveMethod::Sph, Kernel::QuarticSpline);
+        let kappas: Vec<f64> = (1..=60).map(|index| f64::from(index) * PI / 60.0).collect();
+        let ratios = [integer(2), ratio(9, 4), ratio(12, 5)];
+        let map = phase_error_map(&sph, &kappas, &ratios, &no_progress).unwrap();
+        assert!(map.damping_ratio.column(0).iter().all(|value| value.is_finite()));
+        assert!(map.damping_ratio.column(2).iter().any(|value| value.is_nan()));
+        assert!(map.figure("waves").unwrap().svg().unwrap().contains("lattice unstable"));
+    }
+
+    #[test]
+    fn steps_are_limits() {
+        let viscous = scheme(WaveMethod::SphAv { alpha: integer(1) }, Kernel::CubicSpline);
+        let ratios = [integer(1), integer(2)];
+        let map = step_map(&viscous, Integrator::LeapfrogKdk, &ratios, &[0.0, 2.0], &no_progress)
+            .unwrap();
+        // At h = Δ without viscosity ω0² ≤ 8 c²/Δ²; at h = 2Δ with α = 2 the limit 3/4 is proved.
+        assert!((map.steps[[0, 0]] - 0.5f64.sqrt()).abs() < 1e-9);
+        assert!((map.steps[[1, 1]] - 0.75).abs() < 1e-6);
     }
 }

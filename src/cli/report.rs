@@ -4,6 +4,7 @@ use super::output::print;
 use super::progress::Bar;
 use super::{Failure, Outcome};
 use clap::{Args, ValueEnum};
+use courant::reports::cha_whitworth2003;
 use courant::reports::ferrari2008::{self, Detail, Table1};
 use courant::reports::page::Page;
 use courant::reports::publish::OutputDirectory;
@@ -12,6 +13,9 @@ use std::path::PathBuf;
 /// The papers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Paper {
+    /// Cha & Whitworth 2003.
+    #[value(name = "cha-whitworth2003")]
+    ChaWhitworth2003,
     /// Ferrari, Dumbser, Toro & Armanini 2008.
     Ferrari2008,
     /// Every paper.
@@ -34,6 +38,9 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let output = OutputDirectory::open(&arguments.out)?;
     let detail = if arguments.quick { Detail::Quick } else { Detail::Full };
+    if arguments.paper == Paper::ChaWhitworth2003 {
+        return report_on_cha_whitworth(&output, detail);
+    }
     let table = Table1::compute();
     // The tables come first: they are there before the figures are drawn.
     let mut text = String::new();
@@ -47,6 +54,17 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     bar.finish();
     let page = Page { title: "courant: a report on Ferrari et al. 2008".into(), sections };
     let files = page.write(&output)?;
+    let index = output.path().join("index.html");
+    print(&format!("{files} files written; open {}\n", index.display()))
+}
+
+fn report_on_cha_whitworth(output: &OutputDirectory, detail: Detail) -> Result<Outcome, Failure> {
+    let bar = Bar::new("waves");
+    let sections = cha_whitworth2003::sections(detail, &|done, all| bar.advance(done, all))
+        .map_err(|error| Failure::Message(error.to_string()))?;
+    bar.finish();
+    let page = Page { title: "courant: a report on Cha & Whitworth 2003".into(), sections };
+    let files = page.write(output)?;
     let index = output.path().join("index.html");
     print(&format!("{files} files written; open {}\n", index.display()))
 }

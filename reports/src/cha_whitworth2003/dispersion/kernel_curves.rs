@@ -1,0 +1,71 @@
+//! Speed and damping of waves for every kernel, at equal resolution.
+
+use super::super::ReportError;
+use super::{figure_item, phases, usual_ratio};
+use crate::figure::{Axis, Color, Dash, Figure, Line, Panel, Rule};
+use crate::page::Item;
+use crate::wave_map::wave_number_axis;
+use courant_analysis::dispersion::sweep::Quantity;
+use courant_analysis::dispersion::{Form, WaveMethod, WaveScheme};
+use courant_analysis::kernel::Kernel;
+use courant_analysis::rational::{Rational, integer, ratio, to_f64, to_text};
+use std::f64::consts::PI;
+
+/// The smoothing ratio, to a thousandth, at which a kernel is as wide as the cubic spline at the usual one.
+fn equal_width_ratio(kernel: Kernel) -> Rational {
+    let width = Kernel::CubicSpline.standard_deviation() * to_f64(&usual_ratio());
+    ratio((1000.0 * width / kernel.standard_deviation()).round() as i64, 1000)
+}
+
+pub fn item() -> Result<Item, ReportError> {
+    let viscous = || WaveMethod::SphAv { alpha: integer(1) };
+    let resolved = || WaveMethod::Gph { form: Form::Resolved };
+    let speed = "phase speed Re ω/(cκ)";
+    let damping = "damping per wavelength";
+    let panels = [
+        ("(a) SPH: speed", WaveMethod::Sph, Quantity::Speed, speed),
+        ("(b) GPH, resolved: speed", resolved(), Quantity::Speed, speed),
+        ("(c) SPH, α = 1: damping", viscous(), Quantity::DampingPerWavelength, damping),
+        ("(d) GPH, resolved: damping", resolved(), Quantity::DampingPerWavelength, damping),
+    ];
+    let phases = phases(240);
+    let mut figure = Figure::grid(2, 2).size(7.4, 6.2).legend_below();
+    let mut text = String::from("method,quantity,kernel,ratio,kappa,value\n");
+    for (title, method, quantity, label) in panels {
+        let mut panel =
+            Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label)).title(title);
+        if quantity == Quantity::Speed {
+            panel = panel.layer(Rule::horizontal(1.0).color(Color::GREY).width(0.7));
+        }
+        for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
+            let at = equal_width_ratio(kernel);
+            let scheme = WaveScheme::new(method.clone(), kernel, &at)
+                .map_err(courant_analysis::sweep::SweepError::from)?;
+            let waves = scheme.compile();
+            let points: Vec<(f64, f64)> =
+                phases.iter().map(|&phase| (phase, quantity.of(&waves.mode(phase)))).collect();
+            for (phase, value) in &points {
+                let (method, name, ratio) = (method.name(), kernel.name(), to_text(&at));
+                let what = if quantity == Quantity::Speed { "speed" } else { "damping" };
+                text.push_str(&format!("{method},{what},{name},{ratio},{phase},{value}\n"));
+            }
+            let line = Line::new(points)
+                .color(Color::qualitative(index))
+                .width(1.2)
+                .dash(Dash::nth(index % 4))
+                .label(format!("{}, h/Δ = {}", kernel.title(), to_f64(&at)));
+            panel = panel.layer(line);
+        }
+        figure = figure.panel(panel);
+    }
+    let caption = "Speed and damping per wavelength, −2π Im ω/(cκ), of the forward wave for every kernel. The smoothing \
+                   ratios give all kernels the standard deviation of the cubic B-spline at h/Δ = 1.2, so that they resolve \
+                   equally: what differs is the shape. ρ0 = M Σ W, isothermal, 0 < κΔ ≤ π, exact in time."
+        .into();
+    Ok(figure_item(
+        "kernel_waves",
+        figure,
+        caption,
+        vec![("kernel_waves.csv".into(), text.into_bytes())],
+    ))
+}
