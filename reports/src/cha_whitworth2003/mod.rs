@@ -1,0 +1,1 @@
+//! Cha & Whitworth 2003.
