@@ -153,6 +153,7 @@ struct ParticleRecord {
     riemann_iterations: u64,
 }
 
+const BROKEN: &str = "the run broke down";
 const NO_EXACT: &str = "the scene has no exact solution";
 const TOO_LATE: &str =
     "after the scene's own end time, waves from the ends may be inside the comparison window";
@@ -160,7 +161,8 @@ const TOO_LATE: &str =
 fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
     let exact = exact_solution_holds(&plan.scene, plan.customary_end, run.time);
     let finite = |value: f64| value.is_finite().then_some(value);
-    let errors = run.errors.filter(|_| exact);
+    // The state of a broken run has no error norm worth the name.
+    let errors = run.errors.filter(|_| exact && run.completed());
     ParticleRecord {
         run: RunRecord {
             scene: plan.scene.name.into(),
@@ -186,6 +188,7 @@ fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
         },
         l1_note: match errors {
             Some(_) => None,
+            None if !run.completed() => Some(BROKEN),
             None if exact => Some(NO_EXACT),
             None => Some(TOO_LATE),
         },
