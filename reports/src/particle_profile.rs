@@ -201,8 +201,7 @@ mod tests {
     fn the_table_has_the_columns_of_the_gas_and_every_particle() {
         for (name, columns) in [("sod-sph", 10), ("isothermal-tube", 8), ("woodward-colella", 6)] {
             let scene = ParticleScene { end_time: 1e-4, ..ParticleScene::named(name).unwrap() };
-            let run =
-                run_particles(&scene, 20, &MethodOptions::new(ParticleMethod::Gph1)).unwrap();
+            let run = run_particles(&scene, 20, &MethodOptions::new(ParticleMethod::Gph1)).unwrap();
             let text = String::from_utf8(profile_csv(&scene, &run, true)).unwrap();
             assert_eq!(text.lines().count(), 1 + run.profile.len());
             assert!(text.lines().all(|line| line.split(',').count() == columns), "{name}: {text}");

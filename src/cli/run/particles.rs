@@ -122,7 +122,9 @@ impl Plan {
 fn invalid(error: InvalidMethodOptions) -> Failure {
     Failure::Message(match error {
         InvalidMethodOptions::Kernel(kernel) => {
-            format!("--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian")
+            format!(
+                "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
+            )
         }
         InvalidMethodOptions::Particles(count) => {
             format!("--particles {count}: particle scenes need at least 10")

@@ -39,7 +39,8 @@ pub(super) fn riemann_solution(scene: &ParticleScene) -> Option<Solution> {
 /// The largest `|P/P* − 1|` of the five particles on each side of the contact.
 pub(super) fn pressure_ripple(runs: &Runs, scene: &str, method: ParticleMethod) -> f64 {
     let solved = runs.get(scene, method);
-    let solution = riemann_solution(&solved.scene).expect("tubes of ideal gases are Riemann problems");
+    let solution =
+        riemann_solution(&solved.scene).expect("tubes of ideal gases are Riemann problems");
     let profile = &solved.run.profile;
     let order = profile.inside(solved.scene.window);
     let contact = solution.velocity() * solved.run.time;
@@ -56,18 +57,18 @@ pub fn blast_shell(runs: &Runs) -> Vec<Shell> {
         .into_iter()
         .map(|method| {
             let solved = runs.get("strong-blast", method);
-            let solution =
-                riemann_solution(&solved.scene).expect("the blast is a Riemann problem");
+            let solution = riemann_solution(&solved.scene).expect("the blast is a Riemann problem");
             let time = solved.run.time;
             let (_, exact) = solution.densities();
             let contact = solution.velocity() * time;
-            let shock = solution.max_wave_speed() * time;
+            let (_, shock) = solution.right_wave().edges().expect("the right wave is a shock");
+            let shock = shock * time;
             let profile = &solved.run.profile;
             let shell = profile.inside([contact, shock]);
-            let largest = |values: &[f64]| {
-                shell.iter().map(|&i| values[i]).fold(f64::NEG_INFINITY, f64::max)
-            };
-            let inner = &shell[3.min(shell.len())..shell.len().saturating_sub(3).max(3.min(shell.len()))];
+            let largest =
+                |values: &[f64]| shell.iter().map(|&i| values[i]).fold(f64::NEG_INFINITY, f64::max);
+            let inner =
+                &shell[3.min(shell.len())..shell.len().saturating_sub(3).max(3.min(shell.len()))];
             let sum: f64 = inner.iter().map(|&i| profile.density[i]).sum();
             Shell {
                 method,

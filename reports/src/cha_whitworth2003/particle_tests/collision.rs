@@ -17,6 +17,9 @@ const SCENES: [(&str, &str); 2] =
 const METHODS: [(ParticleMethod, &str); 2] =
     [(ParticleMethod::Gph3, "GPH case 3"), (ParticleMethod::Sph1, "SPH 1")];
 
+/// What the figure shows of the scene: the shocks at the end, and some gas outside.
+const HALF_WIDTH: f64 = 0.12;
+
 /// Density of both collisions with GPH case 3 and SPH; the colours say from which side a particle came.
 pub(super) fn figure(runs: &Runs) -> Item {
     let mut panels = Vec::new();
@@ -25,7 +28,7 @@ pub(super) fn figure(runs: &Runs) -> Item {
         for (method, title) in METHODS {
             let solved = runs.get(scene_name, method);
             let Solved { scene, run, .. } = solved;
-            let scene = ParticleScene { window: [-0.1, 0.1], ..scene.clone() };
+            let scene = ParticleScene { window: [-HALF_WIDTH, HALF_WIDTH], ..scene.clone() };
             let sides = [
                 (Marker::Circle, Color::BLUE, "came from the left", 0..run.profile.len() / 2),
                 (
@@ -36,13 +39,14 @@ pub(super) fn figure(runs: &Runs) -> Item {
                 ),
             ];
             let mut panel = Panel::new(
-                Axis::linear("x").range(-0.1, 0.1),
+                Axis::linear("x").range(-HALF_WIDTH, HALF_WIDTH),
                 Axis::linear(Quantity::Density.label()),
             )
             .title(format!("{title}, {speed}"))
             .layer(exact_line(&scene, Quantity::Density, run.time));
             for (marker, color, label, range) in sides {
-                let points = range.map(|i| (run.profile.x[i], run.profile.density[i]));
+                let shown = range.filter(|&i| run.profile.x[i].abs() <= HALF_WIDTH);
+                let points = shown.map(|i| (run.profile.x[i], run.profile.density[i]));
                 panel = panel.layer(
                     Markers::new(points, marker)
                         .color(color)
@@ -88,12 +92,10 @@ pub struct PenetrationCount {
 const APPROACH: [f64; 6] = [0.6, 1.2, 2.0, 4.0, 6.0, 10.0];
 
 fn streams(approach: f64, constant_smoothing: bool) -> ParticleScene {
-    let scene =
-        ParticleScene::named("collision-supersonic").expect("it is in the list of scenes");
+    let scene = ParticleScene::named("collision-supersonic").expect("it is in the list of scenes");
     let state = |v| State::new(1.0, v, 1.0).expect("density and pressure are positive");
     let edge = scene.extent[1];
-    let flow =
-        Flow::Layers(vec![(0.0, state(0.5 * approach)), (edge, state(-0.5 * approach))]);
+    let flow = Flow::Layers(vec![(0.0, state(0.5 * approach)), (edge, state(-0.5 * approach))]);
     ParticleScene { flow, constant_smoothing, ..scene }
 }
 
