@@ -3,6 +3,7 @@
 
 use crate::common_factor::common_square_root;
 use crate::cosine_series::CosineSeries;
+use crate::enclosed_series::EnclosedSeries;
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer, ratio, to_f64};
 use crate::symbol::EnclosedSymbol;
@@ -79,6 +80,38 @@ impl Margin {
         };
         margin.take_out_courant_number();
         if growth.is_zero() && symbol.keeps_constants() {
+            margin.take_out_phase();
+        }
+        margin.take_out_complement();
+        margin.take_out_neutral_waves();
+        margin
+    }
+
+    /// A polynomial `Σ_j t^j p_j(φ)` given as such, whose sign is to be decided: the factors that vanish
+    /// trivially are taken out as from `(1 + ε)² − |g|²`. Here `C` is `t` or, with stride 2, its root.
+    pub(crate) fn of_polynomial(powers: &[EnclosedSeries]) -> Self {
+        let centers: Vec<_> = powers.iter().map(EnclosedSeries::center).collect();
+        let denominator = centers
+            .iter()
+            .flat_map(CosineSeries::coefficients)
+            .fold(BigInt::one(), |common, value| common.lcm(value.denom()));
+        let whole = Rational::from(denominator.clone());
+        let mut margin = Self {
+            series: centers
+                .iter()
+                .map(|center| center.map(|v| v.numer() * (&denominator / v.denom())))
+                .collect(),
+            radius: powers.iter().map(|p| (p.radius() * &whole).ceil().to_integer()).collect(),
+            denominator,
+            phase_power: 0,
+            complement_power: 0,
+            neutral_waves: Polynomial::one(),
+            courant_power: 0,
+            stride: 1,
+            growth: Rational::zero(),
+        };
+        margin.take_out_courant_number();
+        if margin.is_exact() {
             margin.take_out_phase();
         }
         margin.take_out_complement();

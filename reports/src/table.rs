@@ -102,16 +102,11 @@ impl Table {
             format!("{}\n", text.trim_end())
         };
         let mut text = format!("{}\n\n", self.caption);
-        text.push_str(&line(self.header().collect()));
-        text.push_str(&line(
-            widths
-                .iter()
-                .map(|&width| "─".repeat(width))
-                .collect::<Vec<_>>()
-                .iter()
-                .map(String::as_str)
-                .collect(),
-        ));
+        if self.header().any(|name| !name.is_empty()) {
+            let rules: Vec<String> = widths.iter().map(|&width| "─".repeat(width)).collect();
+            text.push_str(&line(self.header().collect()));
+            text.push_str(&line(rules.iter().map(String::as_str).collect()));
+        }
         for row in &self.rows {
             text.push_str(&line(row.iter().map(|cell| cell.text.as_str()).collect()));
         }

@@ -23,13 +23,13 @@ pub struct Arguments {
     #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
     kernel: Kernel,
     /// Smoothing ratio l/Δξ, read exactly: 2, 1.3, 3/2.
-    #[arg(long, value_parser = numbers::ratio)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio)]
     ratio: Rational,
     /// Courant number C = a Δt/Δξ, read exactly.
-    #[arg(long, value_parser = numbers::positive)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number)]
     cfl: Rational,
     /// Accept growth up to this much per step: the answer is then whether |g| ≤ 1 + growth.
-    #[arg(long, value_parser = numbers::non_negative)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative)]
     growth: Option<Rational>,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]

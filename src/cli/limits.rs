@@ -28,13 +28,13 @@ pub struct Arguments {
     #[arg(long, value_parser = |text: &str| numbers::names(text, names::kernel), default_value = "cubic-spline")]
     kernel: Names<Kernel>,
     /// Smoothing ratios l/Δξ: 1,2,3 or 1:10:0.5 or 3/2, read exactly.
-    #[arg(long, value_parser = numbers::ratio_list)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list)]
     ratio: Numbers,
     /// Look for stable Courant numbers up to this one (default: 10 + 4 l/Δξ).
-    #[arg(long, value_parser = numbers::positive)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number)]
     max_cfl: Option<Rational>,
     /// Also the limits for |g| ≤ 1 + growth per step: 1e-9,1e-6,1e-3.
-    #[arg(long, value_parser = numbers::non_negative_list)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative_list)]
     growth: Option<Numbers>,
     /// Look at N equally spaced phases instead of proving.
     #[arg(long, value_name = "N", value_parser = numbers::phases)]

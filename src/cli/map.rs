@@ -23,10 +23,10 @@ pub struct Arguments {
     #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
     kernel: Kernel,
     /// Smoothing ratios l/Δξ, ascending.
-    #[arg(long, value_parser = numbers::ratio_list, default_value = "1:10:0.05")]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list, default_value = "1:10:0.05")]
     ratio: Numbers,
     /// Courant numbers, ascending.
-    #[arg(long, value_parser = numbers::non_negative_list, default_value = "0:12:0.05")]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative_list, default_value = "0:12:0.05")]
     cfl: Numbers,
     /// Directory for the files.
     #[arg(long, default_value = "courant-out")]

@@ -4,6 +4,9 @@ use courant::analysis::lattice::MAX_RATIO;
 use courant::analysis::rational::{Rational, integer, parse, to_text};
 use num_traits::{Signed, ToPrimitive};
 
+/// The largest Courant number that is judged.
+const MAX_COURANT: i64 = 1_000_000;
+
 /// Values in one list or range at most.
 const MAX_VALUES: i64 = 100_000;
 
@@ -87,6 +90,16 @@ pub fn positive(text: &str) -> Result<Rational, String> {
     if value.is_positive() { Ok(value) } else { Err("it must be above 0".into()) }
 }
 
+/// A Courant number that somebody may mean.
+pub fn courant_number(text: &str) -> Result<Rational, String> {
+    let value = positive(text)?;
+    if value <= integer(MAX_COURANT) {
+        Ok(value)
+    } else {
+        Err(format!("it must be at most {MAX_COURANT}"))
+    }
+}
+
 /// A number that is not negative.
 pub fn non_negative(text: &str) -> Result<Rational, String> {
     let value = number(text)?;
@@ -96,8 +109,8 @@ pub fn non_negative(text: &str) -> Result<Rational, String> {
 /// Numbers that are not negative.
 pub fn non_negative_list(text: &str) -> Result<Numbers, String> {
     let numbers = list(text)?;
-    match numbers.0.iter().find(|value| value.is_negative()) {
-        Some(value) => Err(format!("{} is negative; values must be 0 or above", to_text(value))),
+    match numbers.0.iter().find(|value| value.is_negative() || **value > integer(MAX_COURANT)) {
+        Some(value) => Err(format!("{} is out of range: from 0 to {MAX_COURANT}", to_text(value))),
         None => Ok(numbers),
     }
 }

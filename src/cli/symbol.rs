@@ -18,7 +18,7 @@ pub struct Arguments {
     #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
     kernel: Kernel,
     /// Smoothing ratio l/Δξ, read exactly: 2, 1.3, 3/2.
-    #[arg(long, value_parser = numbers::ratio)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio)]
     ratio: Rational,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]

@@ -56,7 +56,7 @@ pub(super) fn sampled_unstable_set(
 
 /// A phase grid fine enough to see every oscillation of a margin of this degree: 16 samples for each
 /// half-wave, both ends included.
-pub(super) fn resolving_phases(degree: usize) -> impl Iterator<Item = f64> {
+pub(crate) fn resolving_phases(degree: usize) -> impl Iterator<Item = f64> {
     let cells = (16 * degree).max(64);
     (0..=cells).map(move |index| {
         if index == cells {
@@ -107,7 +107,7 @@ pub(super) fn refine(
 }
 
 /// The open intervals within `[0, end]` where `Σ_j a_j t^j` is negative.
-pub(super) fn negative_intervals(coefficients: &[f64], end: f64) -> Vec<(f64, f64)> {
+pub(crate) fn negative_intervals(coefficients: &[f64], end: f64) -> Vec<(f64, f64)> {
     let mut knots = vec![0.0];
     knots.extend(roots(coefficients, end));
     knots.push(end);

@@ -1,12 +1,13 @@
 //! Limits on the Courant number, each with its evidence.
 
-mod critical;
+pub(crate) mod critical;
 mod monotonicity;
 mod sampled;
 mod stability;
 
 pub use monotonicity::monotonicity_limit;
 pub use sampled::{phase_grid, sampled_stability_limit};
+pub(crate) use stability::{MAX_BOXES, phase_of, stable_set_of};
 pub use stability::{StableInterval, StableSet, growth_limit, stability_limit, stable_set};
 
 use crate::rational::{Rational, to_f64, to_f64_above, to_f64_below, to_text};
@@ -81,7 +82,7 @@ pub enum ExactValue {
 
 impl ExactValue {
     /// `√square`, as a fraction when it is one.
-    fn square_root(square: Rational) -> Self {
+    pub(crate) fn square_root(square: Rational) -> Self {
         let root = |value: &BigInt| {
             let root = value.sqrt();
             (&root * &root == *value).then_some(root)
@@ -133,7 +134,7 @@ pub struct Limit {
 
 impl Limit {
     /// No limit was met up to `range_end`: the property holds at least so far.
-    fn beyond(range_end: &Rational, evidence: Evidence) -> Self {
+    pub(crate) fn beyond(range_end: &Rational, evidence: Evidence) -> Self {
         Self {
             lower: to_f64_below(range_end),
             upper: f64::INFINITY,
@@ -144,7 +145,7 @@ impl Limit {
         }
     }
 
-    fn exactly(value: ExactValue, evidence: Evidence) -> Self {
+    pub(crate) fn exactly(value: ExactValue, evidence: Evidence) -> Self {
         let (lower, upper) = match &value {
             ExactValue::Fraction(value) => (to_f64_below(value), to_f64_above(value)),
             ExactValue::SquareRoot(square) => square_root_enclosure(square, square),
@@ -159,11 +160,11 @@ impl Limit {
         }
     }
 
-    fn between(lower: f64, upper: f64, evidence: Evidence) -> Self {
+    pub(crate) fn between(lower: f64, upper: f64, evidence: Evidence) -> Self {
         Self { lower, upper, exact: None, evidence, critical_phase: None, binding_offset: None }
     }
 
-    fn at_phase(self, phase: f64) -> Self {
+    pub(crate) fn at_phase(self, phase: f64) -> Self {
         Self { critical_phase: Some(phase), ..self }
     }
 

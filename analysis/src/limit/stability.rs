@@ -18,7 +18,12 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 /// Boxes one decision may look at.
-const MAX_BOXES: usize = 2000;
+pub(crate) const MAX_BOXES: usize = 2000;
+
+/// Boxes the first decision may look at, and pieces the range of `t` may be cut into, for a margin of
+/// higher than first degree in `t`.
+const FIRST_BOXES: usize = 250;
+const MAX_PIECES: usize = 24;
 
 /// The relative width of an enclosure, first tried and last: powers of one half.
 const FIRST_WIDTH: i32 = 52;
@@ -123,7 +128,11 @@ pub fn growth_limit(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Ra
 
 /// Every Courant number in `[0, max_courant]` with `|g| ≤ 1 + growth` for all waves.
 pub fn stable_set(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rational) -> StableSet {
-    let margin = Margin::new(symbol, growth);
+    stable_set_of(&Margin::new(symbol, growth), max_courant)
+}
+
+/// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
+pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
     let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
     if margin.is_neutral() {
         return StableSet {
@@ -138,7 +147,7 @@ pub fn stable_set(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rati
             work: Work::default(),
         };
     }
-    Search::new(&margin, max_courant).run(max_courant, evidence)
+    Search::new(margin, max_courant).run(max_courant, evidence)
 }
 
 /// An end of a stretch in `t`: nothing is claimed strictly between `lower` and `upper`.
@@ -472,15 +481,30 @@ impl<'a> Search<'a> {
 
     /// `Ok` when `[from, to]` is proved stable, else a counterexample `(s, t)` if one was met.
     fn is_stable(&mut self, from: &Rational, to: &Rational) -> Result<(), Option<Counterexample>> {
-        let (sign, work) = self.form.sign(from, to, MAX_BOXES);
-        self.work += work;
-        match sign {
-            Sign::NowhereNegative => Ok(()),
-            Sign::SomewhereNegative { phase_parameter, courant_parameter } => {
-                Err(Some(Box::new((phase_parameter, courant_parameter))))
+        // Boxes are halved in `s` only, which suffices where the margin is at most linear in `t`. Of a
+        // higher degree its Bernstein coefficients in `t` may stay negative; then `t` is halved too.
+        let (mut pieces, mut boxes) =
+            if self.margin.powers() <= 2 { (1, MAX_BOXES) } else { (MAX_PIECES, FIRST_BOXES) };
+        let mut pending = vec![(from.clone(), to.clone())];
+        while let Some((lower, upper)) = pending.pop() {
+            let (sign, work) = self.form.sign(&lower, &upper, boxes);
+            self.work += work;
+            pieces -= 1;
+            match sign {
+                Sign::NowhereNegative => {}
+                Sign::SomewhereNegative { phase_parameter, courant_parameter } => {
+                    return Err(Some(Box::new((phase_parameter, courant_parameter))));
+                }
+                Sign::Undecided if pieces <= pending.len() + 1 => return Err(None),
+                Sign::Undecided => {
+                    let middle = (&lower + &upper) / integer(2);
+                    pending.push((middle.clone(), upper));
+                    pending.push((lower, middle));
+                    boxes = (boxes * 2).min(MAX_BOXES);
+                }
             }
-            Sign::Undecided => Err(None),
         }
+        Ok(())
     }
 
     /// Whether the wave with this `s` is unstable on some interval `(from, from + δ)`.
@@ -633,7 +657,7 @@ fn phase_parameter(phase: f64) -> Rational {
 }
 
 /// `φ = 2 arcsin √s`.
-fn phase_of(s: &Rational) -> f64 {
+pub(crate) fn phase_of(s: &Rational) -> f64 {
     2.0 * to_f64(s).sqrt().min(1.0).asin()
 }
 

@@ -19,7 +19,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// ```
 /// use courant_analysis::{stencil::Stencil, symbol::Symbol};
 /// // First-order upwind: u_i − C (u_i − u_{i−1}).
-/// let backward = Stencil::shift(0) - Stencil::shift(-1);
+/// let backward: Stencil<i64> = Stencil::shift(0) - Stencil::shift(-1);
 /// let upwind = Symbol::identity() - Symbol::courant_power(1, backward);
 /// assert_eq!(upwind.coefficient(-1).coefficients(), &[0, 1]);
 /// ```

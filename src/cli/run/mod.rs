@@ -25,13 +25,13 @@ pub struct Arguments {
     #[arg(long, value_parser = names::kernel)]
     kernel: Option<Kernel>,
     /// Smoothing length over particle spacing (default: the method's own).
-    #[arg(long, value_parser = numbers::ratio)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio)]
     ratio: Option<Rational>,
     /// Courant number (default: the method's own).
-    #[arg(long, value_parser = numbers::positive)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number)]
     cfl: Option<Rational>,
     /// End time (default: the scene's own).
-    #[arg(long, value_parser = numbers::positive)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::positive)]
     time: Option<Rational>,
     /// Directory for profile and figure.
     #[arg(long, default_value = "courant-out")]
