@@ -3,6 +3,8 @@
 //! [`figure`] draws: plain data in, PNG or SVG bytes out. [`table`] sets numbers, [`page`] puts both into a
 //! report, [`publish`] writes files whole or not at all. Each paper has a module of its own.
 
+pub mod advection_profile;
+pub mod advection_validation;
 pub mod cha_whitworth2003;
 pub mod ferrari2008;
 pub mod figure;
@@ -10,6 +12,7 @@ pub mod npy;
 pub mod number;
 pub mod page;
 pub mod particle_profile;
+pub mod particle_validation;
 pub mod publish;
 pub mod record;
 pub mod run_record;

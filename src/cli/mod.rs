@@ -12,6 +12,7 @@ mod progress;
 mod report;
 mod run;
 mod symbol;
+mod validate;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -43,6 +44,8 @@ enum Command {
     Map(map::Arguments),
     /// Run a scene with a method: profile, figure, error norms, conservation.
     Run(run::Arguments),
+    /// Predicted against measured, mode by mode; exit code 0 when they agree, 1 when they do not.
+    Validate(validate::Arguments),
     /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
     Report(report::Arguments),
     /// Shell completions on standard output.
@@ -106,6 +109,7 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Check(arguments) => check::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Validate(arguments) => validate::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();

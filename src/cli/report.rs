@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         text.push_str(&format!("{}\n", table.to_text()));
     }
     print(&format!("{text}{}\n\n", wrapped(&table.explanation())))?;
-    let bar = Bar::new("figure 1");
+    let bar = Bar::new("report");
     let sections = ferrari2008::sections(&table, detail, &|done, all| bar.advance(done, all))
         .map_err(|error| Failure::Message(error.to_string()))?;
     bar.finish();

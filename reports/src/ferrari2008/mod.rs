@@ -2,6 +2,7 @@
 //! coordinates", Communications in Computational Physics 4, 378–404. Section 2 regenerated.
 
 mod figure_1;
+pub mod section_2_runs;
 mod table_1;
 
 pub use figure_1::{figure_1, figure_1_plan};
@@ -45,6 +46,66 @@ pub const CATALOGUE: &[CatalogueItem] = &[
         description: "amplification factor over the (l/Δξ, C) plane",
         source: "Ferrari et al. 2008, Figure 1",
     },
+    CatalogueItem {
+        name: "figure_2",
+        description: "step and hump after one and five periods",
+        source: "Ferrari et al. 2008, Figure 2",
+    },
+    CatalogueItem {
+        name: "figure_2_norms",
+        description: "error norms of the same runs",
+        source: "Ferrari et al. 2008, Figure 2",
+    },
+    CatalogueItem {
+        name: "predicted_measured",
+        description: "amplification factors by symbol and by run",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
+    CatalogueItem {
+        name: "figure_predicted_measured",
+        description: "the same, mode by mode",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
+    CatalogueItem {
+        name: "printed_growth",
+        description: "runs at the printed stability limits",
+        source: "Ferrari et al. 2008, Table 1",
+    },
+    CatalogueItem {
+        name: "figure_printed_growth",
+        description: "their growth, step by step",
+        source: "Ferrari et al. 2008, Table 1",
+    },
+    CatalogueItem {
+        name: "limits_by_run",
+        description: "stability limits found by running, beside the proved ones",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
+    CatalogueItem {
+        name: "long_runs",
+        description: "a million steps just below and just above a limit",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
+    CatalogueItem {
+        name: "figure_disorder",
+        description: "how far the lattice theory carries on uneven positions",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
+    CatalogueItem {
+        name: "figure_speed_smooth",
+        description: "error against cost, smooth data",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
+    CatalogueItem {
+        name: "figure_speed_jump",
+        description: "error against cost, data with jumps",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
+    CatalogueItem {
+        name: "speed_recommendation",
+        description: "the cheapest choice for an error",
+        source: "Ferrari et al. 2008, section 2, run",
+    },
 ];
 
 /// Why the report has no result.
@@ -75,7 +136,7 @@ pub fn sections(
     ] {
         items.push(Item::Table { name: name.into(), table, command: COMMAND.into() });
     }
-    Ok(vec![
+    let mut sections = vec![
         Section {
             title: "Table 1: largest stable and largest monotone Courant number".into(),
             items,
@@ -84,5 +145,7 @@ pub fn sections(
             title: "Figure 1: amplification over the (l/Δξ, C) plane".into(),
             items: vec![figure_1(detail, progress)?],
         },
-    ])
+    ];
+    sections.extend(section_2_runs::sections(detail, progress)?);
+    Ok(sections)
 }

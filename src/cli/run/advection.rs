@@ -1,18 +1,250 @@
 //! Scenes and methods of the advection family.
 
 use super::{Arguments, Entry, Family};
-use crate::cli::{Failure, Outcome};
+use crate::cli::output::{print, print_json, table_text};
+use crate::cli::progress::Bar;
+use crate::cli::{Failure, Outcome, names, numbers};
+use clap::{Args, ValueEnum};
+use courant::analysis::kernel::Kernel;
+use courant::analysis::rational::{Rational, integer, to_f64};
+use courant::analysis::scheme::AdvectionScheme;
+use courant::reports::advection_profile::{AdvectionRecord, profile_csv, profile_figure};
+use courant::reports::number::significant;
+use courant::reports::publish::OutputDirectory;
+use courant::reports::table::{Align, Table};
+use courant::simulation::advection::{AdvectionRun, Layout, Method, RunPlan, Scene, run_with};
+use std::time::Instant;
 
 pub const FAMILY: Family = Family { scenes, methods, run };
 
+/// Waves of `advection-waves` when `--waves` is not given.
+const WAVES: usize = 8;
+
+/// Options of the advection scenes alone.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Advection: end time in periods of the unit interval, the same as --time (default: 1).
+    #[arg(long, value_name = "N", value_parser = numbers::positive, conflicts_with = "time")]
+    periods: Option<Rational>,
+    /// Advection: where the particles are and which code steps them (default: uniform).
+    #[arg(long, value_enum)]
+    layout: Option<LayoutName>,
+    /// Advection, disordered layout: the largest displacement in spacings, below 1/2 (default: 1/10).
+    #[arg(long, value_parser = disorder)]
+    disorder: Option<Rational>,
+    /// Advection: seed of the displacements and of the random phases (default: 0).
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Advection, scene advection-waves: the highest wave number (default: 8).
+    #[arg(long, value_parser = wave_number)]
+    waves: Option<usize>,
+}
+
+/// Layouts by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum LayoutName {
+    /// Equal spacing, stepped by the stencil.
+    Lattice,
+    /// Equal spacing, neighbours found among the particles.
+    Uniform,
+    /// Random displacements, neighbours found among the particles.
+    Disordered,
+}
+
+impl Options {
+    /// The first option given, as an error for a scene that is not advection.
+    pub fn reject(&self, scene: &str) -> Result<(), Failure> {
+        let given = [
+            ("--periods", self.periods.is_some()),
+            ("--layout", self.layout.is_some()),
+            ("--disorder", self.disorder.is_some()),
+            ("--seed", self.seed.is_some()),
+            ("--waves", self.waves.is_some()),
+        ];
+        match given.into_iter().find(|(_, given)| *given) {
+            Some((option, _)) => Err(Failure::Message(format!(
+                "{option}: scene {scene} has no such option; it belongs to the advection scenes"
+            ))),
+            None => Ok(()),
+        }
+    }
+}
+
+fn disorder(text: &str) -> Result<Rational, String> {
+    let value = numbers::non_negative(text)?;
+    if to_f64(&value) < 0.5 { Ok(value) } else { Err("it must be at least 0 and below 1/2".into()) }
+}
+
+fn wave_number(text: &str) -> Result<usize, String> {
+    text.parse()
+        .ok()
+        .filter(|count| (1..=100_000).contains(count))
+        .ok_or_else(|| "a whole number from 1 to 100000 is accepted".into())
+}
+
 fn scenes() -> Vec<Entry> {
-    Vec::new()
+    let entry = |name, description, source| Entry { name, description, source };
+    vec![
+        entry(
+            "advection-step",
+            "1 up to the middle of the period, 1/4 beyond",
+            "Ferrari et al. 2008 (2.28)",
+        ),
+        entry(
+            "advection-gaussian",
+            "a smooth hump of height 1 on 1/4",
+            "Ferrari et al. 2008 (2.29)",
+        ),
+        entry("advection-square", "1 on the middle half of the period, 0 elsewhere", "standard"),
+        entry("advection-waves", "waves 1 to --waves with random phases (--seed)", "standard"),
+    ]
 }
 
 fn methods() -> Vec<Entry> {
-    Vec::new()
+    AdvectionScheme::ALL
+        .into_iter()
+        .map(|scheme| Entry {
+            name: scheme.name(),
+            description: "advection scenes: the scheme stepped over particles",
+            source: scheme.source(),
+        })
+        .collect()
+}
+
+/// Whether a scene is one of advection.
+pub fn has_scene(name: &str) -> bool {
+    scenes().iter().any(|scene| scene.name == name)
 }
 
 fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    Err(Failure::Message(format!("SCENE {}: there is no such scene here", arguments.scene)))
+    let (plan, ratio) = plan(arguments)?;
+    let output = OutputDirectory::open(&arguments.out)?;
+    let bar = Bar::new(&arguments.scene);
+    let start = Instant::now();
+    let result = run_with(&plan, |done, all| bar.advance(done as usize, all as usize))
+        .map_err(|error| Failure::Message(error.to_string()))?;
+    let wall_seconds = start.elapsed().as_secs_f64();
+    bar.finish();
+    let record = AdvectionRecord::new(&plan, &ratio, &result, wall_seconds);
+    let json = serde_json::to_string_pretty(&record)
+        .map_err(|error| Failure::Message(error.to_string()))?;
+    let mut files = vec![
+        ("csv", profile_csv(&result).into_bytes()),
+        ("json", format!("{json}\n").into_bytes()),
+    ];
+    // Where values overflowed there is no profile to draw.
+    if record.run.completed {
+        let figure = profile_figure(&plan, &ratio, &result);
+        files.push(("png", figure.png()?));
+        files.push(("svg", figure.svg()?.into_bytes()));
+    }
+    let stem = format!("{}_{}", plan.scene.name(), plan.method.scheme.name());
+    let mut written = Vec::new();
+    for (end, bytes) in &files {
+        written.push(output.write(&format!("{stem}.{end}"), bytes)?);
+    }
+    match table_text(&table(&record, &result), arguments.format) {
+        Some(mut text) => {
+            if arguments.format == crate::cli::output::Format::Table {
+                let names: Vec<String> =
+                    written.iter().map(|path| path.display().to_string()).collect();
+                text.push_str(&format!("\n{}\n", names.join("\n")));
+            }
+            print(&text)
+        }
+        None => print_json("run", &record),
+    }
+}
+
+/// The arguments as a plan, and the ratio as it was written.
+fn plan(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
+    let options = &arguments.advection;
+    let scheme = match &arguments.method {
+        Some(name) => names::scheme(name)
+            .map_err(|_| {
+                let all = AdvectionScheme::ALL.map(AdvectionScheme::name);
+                names::unknown("method for advection scenes", name, &all)
+            })
+            .map_err(|problem| Failure::Message(format!("--method {name}: {problem}")))?,
+        None => AdvectionScheme::GodunovSph,
+    };
+    let not_used = |option: &str, value: String, reason: &str| {
+        Err(Failure::Message(format!("{option} {value}: {reason}")))
+    };
+    if arguments.scene != "advection-waves"
+        && let Some(waves) = options.waves
+    {
+        let reason = "only the scene advection-waves has waves to count";
+        return not_used("--waves", waves.to_string(), reason);
+    }
+    let layout = options.layout.unwrap_or(LayoutName::Uniform);
+    if layout != LayoutName::Disordered {
+        if let Some(disorder) = &options.disorder {
+            let reason = "it needs --layout disordered";
+            return not_used("--disorder", disorder.to_string(), reason);
+        }
+        if let (Some(seed), true) = (options.seed, arguments.scene != "advection-waves") {
+            let reason = "nothing is random here; it needs --layout disordered or advection-waves";
+            return not_used("--seed", seed.to_string(), reason);
+        }
+    }
+    let seed = options.seed.unwrap_or(0);
+    let layout = match layout {
+        LayoutName::Lattice => Layout::Lattice,
+        LayoutName::Uniform => Layout::Uniform,
+        LayoutName::Disordered => {
+            Layout::Disordered { disorder: options.disorder.as_ref().map_or(0.1, to_f64), seed }
+        }
+    };
+    let scene = match arguments.scene.parse() {
+        Ok(scene) => scene,
+        Err(_) => Scene::random_phases(options.waves.unwrap_or(WAVES), seed),
+    };
+    // Euler-SPH is stable at no Courant number; with small steps a period can still be looked at.
+    let default_courant = match scheme {
+        AdvectionScheme::EulerSph => 0.1,
+        AdvectionScheme::LaxWendroffSph | AdvectionScheme::GodunovSph => 1.0,
+    };
+    let ratio = arguments.ratio.clone().unwrap_or_else(|| integer(2));
+    let method = Method {
+        scheme,
+        kernel: arguments.kernel.unwrap_or(Kernel::CubicSpline),
+        ratio: to_f64(&ratio),
+        courant_number: arguments.cfl.as_ref().map_or(default_courant, to_f64),
+    };
+    let periods = options.periods.as_ref().or(arguments.time.as_ref()).map_or(1.0, to_f64);
+    let particles = arguments.particles.unwrap_or(200);
+    Ok((RunPlan { scene, method, particles, periods, layout }, ratio))
+}
+
+fn table(record: &AdvectionRecord, result: &AdvectionRun) -> Table {
+    let mut table = Table::new(
+        format!("{}, {}", record.run.scene, record.run.method),
+        &[("", Align::Left), ("", Align::Right)],
+    );
+    let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
+    let seen = &result.comparison;
+    match &record.run.failure {
+        None => add("completed", "yes".into()),
+        Some(failure) => add("failed", failure.clone()),
+    }
+    add("kernel", record.kernel.clone());
+    add("l/Δξ", record.ratio.clone());
+    add("C", significant(record.cfl, 8));
+    add("particles", record.run.particles.to_string());
+    add("steps", record.run.steps.to_string());
+    add("periods", significant(record.run.time, 6));
+    if record.run.completed {
+        add("L1 error", significant(seen.l1, 6));
+        add("L2 error", significant(seen.l2, 6));
+        add("L∞ error", significant(seen.l_infinity, 6));
+        add("total variation", significant(seen.total_variation, 8));
+        add("exact total variation", significant(seen.exact_total_variation, 8));
+        add("smallest value", significant(seen.extrema.min, 8));
+        add("largest value", significant(seen.extrema.max, 8));
+        add("drift of the mean", significant(seen.mean_drift, 3));
+    }
+    add("interactions", record.interactions.to_string());
+    add("seconds", significant(record.run.wall_seconds, 3));
+    table
 }

@@ -33,6 +33,8 @@ pub struct Arguments {
     /// End time (default: the scene's own).
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::positive)]
     time: Option<Rational>,
+    #[command(flatten)]
+    advection: advection::Options,
     /// Directory for profile and figure.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
@@ -76,7 +78,12 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .iter()
         .find(|family| (family.scenes)().iter().any(|scene| scene.name == arguments.scene));
     match family {
-        Some(family) => (family.run)(arguments),
+        Some(family) => {
+            if !advection::has_scene(&arguments.scene) {
+                arguments.advection.reject(&arguments.scene)?;
+            }
+            (family.run)(arguments)
+        }
         None => {
             let scenes: Vec<&str> = scenes().iter().map(|scene| scene.name).collect();
             let problem = names::unknown("scene", &arguments.scene, &scenes);

@@ -1,0 +1,52 @@
+//! The advection schemes of section 2, run: Figure 2, predicted against measured, growth at the printed
+//! Courant numbers, limits by run, disorder, and speed against error.
+
+mod disorder;
+mod figure_2;
+mod limits_by_run;
+mod predicted_measured;
+mod printed_growth;
+mod speed;
+
+use super::{Detail, ReportError};
+use crate::page::Section;
+use courant_analysis::kernel::Kernel;
+use courant_analysis::rational::Rational;
+use courant_analysis::scheme::{AdvectionScheme, Discretisation};
+use courant_analysis::sweep::{Progress, SweepError};
+
+/// The stages of these sections, for the progress bar.
+const STAGES: usize = 6;
+
+/// The sections of the report.
+///
+/// # Errors
+/// When the callback stops the work or a figure cannot be composed.
+pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, ReportError> {
+    type Stage = fn(Detail) -> Result<Section, ReportError>;
+    let stages: [Stage; STAGES] = [
+        figure_2::section,
+        predicted_measured::section,
+        printed_growth::section,
+        limits_by_run::section,
+        disorder::section,
+        // The last: its times are taken alone.
+        speed::section,
+    ];
+    let mut sections = Vec::with_capacity(STAGES);
+    for (done, stage) in stages.into_iter().enumerate() {
+        if progress(done, STAGES).is_break() {
+            return Err(SweepError::Cancelled.into());
+        }
+        sections.push(stage(detail)?);
+    }
+    if progress(STAGES, STAGES).is_break() {
+        return Err(SweepError::Cancelled.into());
+    }
+    Ok(sections)
+}
+
+/// A discretisation whose ratio is written in the source.
+fn discretisation(scheme: AdvectionScheme, kernel: Kernel, ratio: Rational) -> Discretisation {
+    Discretisation::new(scheme, kernel, ratio).expect("the ratio is within (0, 50]")
+}

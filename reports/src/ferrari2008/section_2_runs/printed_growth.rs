@@ -1,0 +1,217 @@
+//! What a run does at the Courant numbers that Table 1 prints as stable.
+
+use super::super::{COMMAND, Detail, LimitKind, PublishedValue, ReportError, published_values};
+use super::discretisation;
+use crate::figure::{Axis, Color, Corner, Figure, Line, Marker, Markers, Panel};
+use crate::number::significant;
+use crate::page::{Item, Section};
+use crate::table::{Align, Table};
+use courant_analysis::kernel::Kernel;
+use courant_analysis::rational::{to_f64, to_text};
+use courant_analysis::scheme::{AdvectionScheme, Discretisation};
+use courant_simulation::advection::{
+    CriticalGrowth, Method, ParticlePath, Ring, RingModes, Stepper, growth_at,
+};
+use rayon::prelude::*;
+use std::fmt::Write;
+
+/// Steps of each run.
+const STEPS: u64 = 1000;
+
+/// Steps between two points of the figure.
+const EVERY: u64 = 50;
+
+/// One printed Courant number, run.
+struct Case {
+    printed: PublishedValue,
+    growth: CriticalGrowth,
+    /// `(steps, log10 of the amplitude over the first)`, on particles with neighbours found.
+    history: Vec<(f64, f64)>,
+}
+
+fn cases() -> Vec<Case> {
+    let stability: Vec<PublishedValue> =
+        published_values().into_iter().filter(|v| v.kind == LimitKind::Stability).collect();
+    stability
+        .into_par_iter()
+        .map(|printed| {
+            let scheme = AdvectionScheme::GodunovSph;
+            let discretisation = discretisation(scheme, printed.kernel, printed.ratio.clone());
+            let growth = growth_at(&discretisation, to_f64(&printed.courant), 32..=256, STEPS);
+            let history = history(&discretisation, &growth);
+            Case { printed, growth, history }
+        })
+        .collect()
+}
+
+/// The amplitude of the excited mode over a free run.
+fn history(discretisation: &Discretisation, growth: &CriticalGrowth) -> Vec<(f64, f64)> {
+    let ring = Ring::uniform(growth.particles, growth.particles as f64)
+        .expect("a ring of 32 or more particles has room");
+    let method = Method::of(discretisation, growth.courant_number);
+    let mut stepper = ParticlePath::new(method, &ring);
+    let modes = RingModes::new(growth.particles);
+    let wave: Vec<f64> =
+        ring.positions().iter().map(|position| (growth.phase * position).cos()).collect();
+    stepper.set_state(&wave);
+    let first = modes.amplitude(growth.mode, &wave).norm();
+    let mut history = vec![(0.0, 0.0)];
+    for step in 1..=STEPS {
+        stepper.step();
+        if step % EVERY == 0 {
+            let amplitude = modes.amplitude(growth.mode, stepper.state()).norm() / first;
+            history.push((step as f64, amplitude.log10()));
+        }
+    }
+    history
+}
+
+/// These runs take milliseconds and are the same in a quick report.
+pub(super) fn section(_detail: Detail) -> Result<Section, ReportError> {
+    let cases = cases();
+    let worst = cases
+        .iter()
+        .filter_map(|case| Some((case.growth.measured_gain? - case.growth.predicted_gain).abs()))
+        .fold(0.0, f64::max);
+    let caption = format!(
+        "Godunov SPH at the Courant numbers printed as stability limits in Table 1: amplitude of the \
+         fastest-growing mode of a ring over {STEPS} steps, measured on particles (markers) and predicted by \
+         the amplification factor (lines). The size of the ring (32 to 256) is the one with a mode closest to \
+         the fastest-growing wave. At l/Δξ = 1 with the cubic spline the limit is printed exactly: the mode \
+         stays."
+    );
+    let mut data = String::from("kernel,ratio,cfl,steps,predicted_log10,measured_log10\n");
+    for case in &cases {
+        for &(steps, measured) in &case.history {
+            writeln!(
+                data,
+                "{},{},{},{steps},{},{measured}",
+                case.printed.kernel.name(),
+                to_text(&case.printed.ratio),
+                case.growth.courant_number,
+                steps * case.growth.predicted_gain.log10()
+            )
+            .expect("writing to a string succeeds");
+        }
+    }
+    Ok(Section {
+        title: "Growth at the printed Courant numbers".into(),
+        items: vec![
+            Item::Paragraph(format!(
+                "If a printed limit is too high, a run at it must grow, and at the rate the amplification factor \
+                 says. It does: predicted and measured gain per step differ by at most {}.",
+                significant(worst, 2)
+            )),
+            Item::Table {
+                name: "printed_growth".into(),
+                table: table(&cases),
+                command: COMMAND.into(),
+            },
+            Item::Figure {
+                name: "figure_printed_growth".into(),
+                figure: Box::new(figure(&cases)),
+                caption,
+                data: vec![("figure_printed_growth.csv".into(), data.into_bytes())],
+                command: COMMAND.into(),
+            },
+        ],
+    })
+}
+
+fn table(cases: &[Case]) -> Table {
+    let mut table = Table::new(
+        format!("Runs of {STEPS} steps at the printed stability limits, Godunov SPH"),
+        &[
+            ("kernel", Align::Left),
+            ("l/Δξ", Align::Right),
+            ("printed C", Align::Right),
+            ("largest |g| − 1", Align::Right),
+            ("wavelength", Align::Right),
+            ("N", Align::Right),
+            ("mode", Align::Right),
+            ("predicted |g| − 1", Align::Right),
+            ("measured |g| − 1", Align::Right),
+            ("steps to double", Align::Right),
+        ],
+    );
+    // Rounding of a gain of 1 is no growth.
+    let excess = |gain: f64| {
+        if (gain - 1.0).abs() < 1e-14 { "0".into() } else { significant(gain - 1.0, 6) }
+    };
+    for Case { printed, growth, .. } in cases {
+        let grows = growth.largest_gain - 1.0 > 1e-14;
+        table.push([
+            printed.kernel.title().to_string(),
+            to_text(&printed.ratio),
+            format!("{:.2}", growth.courant_number),
+            excess(growth.largest_gain),
+            if grows {
+                format!("{} Δξ", significant(2.0 * std::f64::consts::PI / growth.critical_phase, 4))
+            } else {
+                "–".into()
+            },
+            growth.particles.to_string(),
+            growth.mode.to_string(),
+            excess(growth.predicted_gain),
+            growth.measured_gain.map_or_else(|| "overflowed".into(), excess),
+            growth
+                .steps_to_double
+                .filter(|_| grows)
+                .map_or_else(|| "–".into(), |steps| format!("{steps:.0}")),
+        ]);
+    }
+    table
+}
+
+fn figure(cases: &[Case]) -> Figure {
+    let mut figure = Figure::grid(1, 2).size(7.2, 3.6);
+    for (letter, kernel) in [('a', Kernel::Gaussian), ('b', Kernel::CubicSpline)] {
+        let mut panel = Panel::new(
+            Axis::linear("steps").range(0.0, STEPS as f64),
+            Axis::linear("log₁₀ of the amplitude").range(-0.5, 7.0),
+        )
+        .title(format!("({letter}) Godunov SPH, {}", kernel.title()))
+        .legend(Corner::TopLeft);
+        let chosen = cases.iter().filter(|case| case.printed.kernel == kernel);
+        for (k, case) in chosen.enumerate() {
+            let color = Color::qualitative(k);
+            let label = format!(
+                "l/Δξ = {}, C = {:.2}",
+                to_text(&case.printed.ratio),
+                case.growth.courant_number
+            );
+            let slope = case.growth.predicted_gain.log10();
+            panel = panel
+                .layer(
+                    Line::new([(0.0, 0.0), (STEPS as f64, slope * STEPS as f64)])
+                        .color(color)
+                        .width(0.9)
+                        .label(&label),
+                )
+                .layer(
+                    Markers::new(case.history.iter().copied(), Marker::nth(k))
+                        .color(color)
+                        .fill(Color::WHITE)
+                        .size(3.4)
+                        .label(label),
+                );
+        }
+        figure = figure.panel(panel);
+    }
+    figure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_amplitude_on_particles_grows_at_the_predicted_rate() {
+        for case in cases() {
+            let &(steps, log) = case.history.last().unwrap();
+            let predicted = steps * case.growth.predicted_gain.log10();
+            // A thousand steps of rounding in a wave of amplitude 1.
+            assert!((log - predicted).abs() < 1e-11, "{} {log} {predicted}", case.printed.courant);
+        }
+    }
+}

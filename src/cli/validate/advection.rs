@@ -1,0 +1,155 @@
+//! The advection schemes: symbol against stepping.
+
+use super::Arguments;
+use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::{Failure, Outcome};
+use courant::analysis::kernel::Kernel;
+use courant::analysis::rational::{integer, to_f64, to_text};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation};
+use courant::reports::advection_validation::{
+    Settings, ValidatedCase, ValidationCase, ValidationRecord, run_cases,
+};
+use courant::reports::number::significant;
+use courant::reports::table::{Align, Table};
+use courant::simulation::advection::Fault;
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let defaults = Settings::default();
+    let settings = Settings {
+        particles: arguments.particles.unwrap_or(defaults.particles),
+        steps: arguments.steps.unwrap_or(defaults.steps),
+        fault: arguments.fault.as_ref().map(|by| Fault { offset: -1, by: to_f64(by) }),
+        ..defaults
+    };
+    let cases = run_cases(cases(arguments, settings)?)
+        .map_err(|error| Failure::Message(error.to_string()))?;
+    let record = ValidationRecord::new(settings, &cases);
+    // One case is shown mode by mode, several case by case.
+    let table = match cases.as_slice() {
+        [case] => mode_table(case),
+        cases => case_table(cases),
+    };
+    match table_text(&table, arguments.format) {
+        Some(mut text) => {
+            if arguments.format == Format::Table {
+                text.push_str(&conclusion(&record));
+            }
+            print(&text)?
+        }
+        None => print_json("validate", &record)?,
+    };
+    Ok(if record.passed { Outcome::Yes } else { Outcome::No })
+}
+
+fn cases(arguments: &Arguments, settings: Settings) -> Result<Vec<ValidationCase>, Failure> {
+    let schemes = arguments.scheme.map_or(AdvectionScheme::ALL.to_vec(), |scheme| vec![scheme]);
+    let kernels = arguments.kernel.as_ref().map_or(&Kernel::ALL[..], |kernels| &kernels.0);
+    let ratios = arguments.ratio.as_ref().map_or(vec![integer(2)], |ratios| ratios.0.clone());
+    let mut cases = Vec::new();
+    for scheme in schemes {
+        for kernel in kernels {
+            for ratio in &ratios {
+                let discretisation = Discretisation::new(scheme, *kernel, ratio.clone())
+                    .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
+                match &arguments.cfl {
+                    Some(courant) => {
+                        cases.push(ValidationCase::at(discretisation, courant, settings));
+                    }
+                    None => {
+                        cases.extend(ValidationCase::about_the_limit(&discretisation, settings));
+                    }
+                }
+            }
+        }
+    }
+    Ok(cases)
+}
+
+fn case_table(cases: &[ValidatedCase]) -> Table {
+    let mut table = Table::new(
+        "Amplification factors, predicted by the symbol and measured on the running scheme",
+        &[
+            ("scheme", Align::Left),
+            ("kernel", Align::Left),
+            ("l/Δξ", Align::Right),
+            ("C", Align::Right),
+            ("regime", Align::Left),
+            ("largest |g|", Align::Right),
+            ("max error", Align::Right),
+            ("allowed", Align::Right),
+            ("agrees", Align::Left),
+        ],
+    );
+    for case in cases {
+        let discretisation = &case.case.plan.discretisation;
+        table.push([
+            discretisation.scheme().name().to_string(),
+            discretisation.kernel().name().into(),
+            to_text(discretisation.ratio()),
+            case.case.courant_text(),
+            case.case.regime.name().into(),
+            significant(case.largest_gain(), 7),
+            significant(case.validation.max_error, 2),
+            significant(case.validation.tolerance, 2),
+            if case.validation.passed() { "yes" } else { "NO" }.into(),
+        ]);
+    }
+    table
+}
+
+fn mode_table(case: &ValidatedCase) -> Table {
+    let discretisation = &case.case.plan.discretisation;
+    let caption = format!(
+        "{}, {}, l/Δξ = {}, C = {} ({}): factor per step of each mode",
+        discretisation.scheme().title(),
+        discretisation.kernel().title(),
+        to_text(discretisation.ratio()),
+        case.case.courant_text(),
+        case.case.regime.name()
+    );
+    let mut table = Table::new(
+        caption,
+        &[
+            ("mode", Align::Right),
+            ("φ", Align::Right),
+            ("predicted |g|", Align::Right),
+            ("predicted arg g", Align::Right),
+            ("measured |g|", Align::Right),
+            ("measured arg g", Align::Right),
+            ("error", Align::Right),
+        ],
+    );
+    for row in &case.validation.rows {
+        table.push([
+            row.mode.to_string(),
+            significant(row.phase, 7),
+            significant(row.predicted.norm(), 13),
+            significant(row.predicted.arg(), 13),
+            significant(row.measured.norm(), 13),
+            significant(row.measured.arg(), 13),
+            significant(row.error, 2),
+        ]);
+    }
+    table
+}
+
+fn conclusion(record: &ValidationRecord) -> String {
+    let error = record.max_error.map_or("not finite".into(), |error| significant(error, 3));
+    let failed = record.cases.iter().filter(|case| !case.passed).count();
+    let modes = record.rows.len();
+    let verdict = match failed {
+        0 => format!("all {modes} modes agree"),
+        failed => {
+            format!(
+                "{failed} of {} cases do not agree: prediction and run differ",
+                record.cases.len()
+            )
+        }
+    };
+    format!(
+        "\n{verdict}; max error {error}, allowed {}; {} particles, {} steps\n",
+        significant(record.tolerance, 3),
+        record.particles,
+        record.steps
+    )
+}

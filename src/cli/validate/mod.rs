@@ -1,0 +1,59 @@
+//! `courant validate`: predicted against measured, mode by mode.
+
+mod advection;
+
+use super::numbers::{Names, Numbers};
+use super::output::Format;
+use super::{Failure, Outcome, names, numbers};
+use clap::Args;
+use courant::analysis::kernel::Kernel;
+use courant::analysis::rational::Rational;
+use courant::analysis::scheme::AdvectionScheme;
+
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph (default: all three).
+    #[arg(long, value_parser = names::scheme)]
+    scheme: Option<AdvectionScheme>,
+    /// Kernels, separated by commas: see `courant list kernels` (default: all).
+    #[arg(long, value_parser = |text: &str| numbers::names(text, names::kernel))]
+    kernel: Option<Names<Kernel>>,
+    /// Smoothing ratios l/Δξ: 1,2,3 or 1:10:0.5 or 3/2, read exactly (default: 2).
+    #[arg(long, value_parser = numbers::ratio_list)]
+    ratio: Option<Numbers>,
+    /// Courant number (default: half the stability limit, the limit, and one and a half times it).
+    #[arg(long, value_parser = numbers::positive)]
+    cfl: Option<Rational>,
+    /// Particles on the ring (default: 200).
+    #[arg(long, value_name = "N", value_parser = ring)]
+    particles: Option<usize>,
+    /// Steps of each run (default: 100).
+    #[arg(long, value_name = "N", value_parser = steps)]
+    steps: Option<u64>,
+    /// Add this to the coefficient of the upwind neighbour in the stepping code, to see the check fail.
+    #[arg(long, value_parser = numbers::number, allow_negative_numbers = true, hide = true)]
+    fault: Option<Rational>,
+    /// Format of the output.
+    #[arg(long, value_enum, default_value = "table")]
+    format: Format,
+}
+
+/// The transform of a ring takes as many operations as it has particles, squared.
+fn ring(text: &str) -> Result<usize, String> {
+    count(text, 4, 10_000).map(|count| count as usize)
+}
+
+fn steps(text: &str) -> Result<u64, String> {
+    count(text, 1, 1_000_000)
+}
+
+fn count(text: &str, least: u64, most: u64) -> Result<u64, String> {
+    text.parse()
+        .ok()
+        .filter(|count| (least..=most).contains(count))
+        .ok_or_else(|| format!("a whole number from {least} to {most} is accepted"))
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    advection::run(arguments)
+}

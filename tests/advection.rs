@@ -1,0 +1,202 @@
+//! Advection from the command line: `run` and `validate`.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::Path;
+
+fn courant(arguments: &[&str]) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("courant").unwrap().args(arguments).assert()
+}
+
+fn stdout(assert: &assert_cmd::assert::Assert) -> String {
+    String::from_utf8(assert.get_output().stdout.clone()).unwrap()
+}
+
+fn json(assert: &assert_cmd::assert::Assert) -> Value {
+    serde_json::from_str(&stdout(assert)).unwrap()
+}
+
+/// Exit code 2 and one line on standard error that holds every word; nothing on standard output.
+fn refused(arguments: &[&str], words: &[&str]) {
+    let assert = courant(arguments).code(2);
+    let error = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+    assert_eq!(error.trim_end().lines().count(), 1, "{error}");
+    for word in words {
+        assert!(error.contains(word), "{arguments:?}: {error}");
+    }
+    assert!(assert.get_output().stdout.is_empty());
+}
+
+#[test]
+fn validation_with_default_settings_passes() {
+    let answer = json(&courant(&["validate", "--format", "json"]).success());
+    assert_eq!(answer["schema"], "courant.validate/1");
+    assert_eq!((&answer["passed"], &answer["steps"]), (&Value::from(true), &Value::from(100)));
+    assert!(answer["max_error"].as_f64().unwrap() < 1e-12);
+    let cases = answer["cases"].as_array().unwrap();
+    // Three schemes, seven kernels, three Courant numbers.
+    assert_eq!(cases.len(), 3 * 7 * 3);
+    for regime in ["stable", "neutral", "unstable"] {
+        assert!(cases.iter().any(|case| case["regime"] == regime), "{regime}");
+    }
+    let row = &answer["rows"][1];
+    for key in ["mode", "phase", "error"] {
+        assert!(row[key].is_number(), "{key}");
+    }
+    for side in ["predicted", "measured"] {
+        assert!(row[side]["gain"].is_number() && row[side]["phase"].is_number());
+    }
+}
+
+#[test]
+fn a_coefficient_off_by_a_billionth_is_noticed() {
+    let arguments = ["validate", "--kernel", "cubic", "--particles", "40", "--steps", "20"];
+    courant(&arguments).success();
+    for fault in ["1e-9", "-1e-9"] {
+        let faulty: Vec<&str> = arguments.iter().copied().chain(["--fault", fault]).collect();
+        let assert = courant(&faulty).code(1);
+        assert!(stdout(&assert).contains("do not agree"));
+    }
+}
+
+#[test]
+fn one_case_is_shown_mode_by_mode() {
+    let arguments = [
+        "validate",
+        "--scheme",
+        "godunov-sph",
+        "--kernel",
+        "m4",
+        "--ratio",
+        "2",
+        "--cfl",
+        "15/8",
+        "--particles",
+        "12",
+        "--steps",
+        "5",
+        "--format",
+        "csv",
+    ];
+    let text = stdout(&courant(&arguments).success());
+    // Modes 0 to 6, and a header.
+    assert_eq!(text.lines().count(), 8);
+}
+
+#[test]
+fn bad_validations_are_refused() {
+    refused(&["validate", "--cfl", "0"], &["--cfl", "0"]);
+    refused(&["validate", "--particles", "3"], &["--particles", "3", "4"]);
+    refused(&["validate", "--steps", "0"], &["--steps", "1"]);
+    refused(&["validate", "--kernel", "cubic,foo"], &["--kernel", "foo"]);
+    refused(&["validate", "--ratio", "51"], &["--ratio", "51", "50"]);
+}
+
+fn run(out: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
+    let out = out.to_str().unwrap();
+    let all: Vec<&str> = ["run"].iter().chain(arguments).copied().chain(["--out", out]).collect();
+    courant(&all)
+}
+
+#[test]
+fn a_run_writes_profile_pictures_and_record() {
+    let place = tempfile::tempdir().unwrap();
+    let arguments = [
+        "advection-step",
+        "--method",
+        "godunov-sph",
+        "--particles",
+        "80",
+        "--cfl",
+        "8/5",
+        "--format",
+        "json",
+    ];
+    let answer = json(&run(place.path(), &arguments).success());
+    assert_eq!(answer["schema"], "courant.run/1");
+    assert_eq!((&answer["completed"], &answer["failure"]), (&Value::from(true), &Value::Null));
+    // 80 particles at C = 8/5 take exactly 50 steps.
+    assert_eq!((&answer["steps"], &answer["cfl"]), (&Value::from(50), &Value::from(1.6)));
+    // At the monotonicity limit the values stay within the data.
+    assert!(answer["maximum"].as_f64().unwrap() <= 1.0 + 1e-13);
+    assert!(answer["minimum"].as_f64().unwrap() >= 0.25 - 1e-13);
+    let mut names: Vec<String> = std::fs::read_dir(place.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let stem = "advection-step_godunov-sph";
+    assert_eq!(names, ["csv", "json", "png", "svg"].map(|end| format!("{stem}.{end}")));
+    let profile = std::fs::read_to_string(place.path().join(format!("{stem}.csv"))).unwrap();
+    assert_eq!(profile.lines().count(), 81);
+}
+
+#[test]
+fn both_paths_give_the_same_errors() {
+    let error = |layout: &str| {
+        let place = tempfile::tempdir().unwrap();
+        let arguments = [
+            "advection-gaussian",
+            "--method",
+            "lax-wendroff-sph",
+            "--particles",
+            "60",
+            "--periods",
+            "2",
+            "--layout",
+            layout,
+            "--format",
+            "json",
+        ];
+        json(&run(place.path(), &arguments).success())["l1"]["value"].as_f64().unwrap()
+    };
+    let (lattice, uniform) = (error("lattice"), error("uniform"));
+    // 120 steps of rounding.
+    assert!((lattice - uniform).abs() < 1e-13, "{lattice} {uniform}");
+}
+
+#[test]
+fn a_run_that_overflows_is_told_with_its_reason() {
+    let place = tempfile::tempdir().unwrap();
+    let arguments = [
+        "advection-square",
+        "--method",
+        "euler-sph",
+        "--particles",
+        "50",
+        "--cfl",
+        "2",
+        "--time",
+        "500",
+        "--format",
+        "json",
+    ];
+    let answer = json(&run(place.path(), &arguments).success());
+    assert_eq!(answer["completed"], false);
+    assert!(answer["failure"].as_str().unwrap().contains("overflowed"));
+    assert!(answer["l1"]["value"].is_null() && answer["time"].as_f64().unwrap() < 500.0);
+}
+
+#[test]
+fn bad_runs_are_refused_before_anything_is_written() {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().join("out");
+    let out = out.to_str().unwrap();
+    for (arguments, words) in [
+        (vec!["advection-stepp"], vec!["advection-stepp", "advection-step"]),
+        (vec!["advection-step", "--method", "gph"], vec!["--method", "gph", "godunov-sph"]),
+        (vec!["advection-step", "--waves", "3"], vec!["--waves 3", "advection-waves"]),
+        (vec!["advection-step", "--disorder", "0.1"], vec!["--disorder", "--layout"]),
+        (vec!["advection-step", "--seed", "1"], vec!["--seed", "--layout"]),
+        (vec!["advection-step", "--periods", "0"], vec!["--periods", "0"]),
+        (vec!["advection-step", "--time", "1", "--periods", "1"], vec!["--time", "--periods"]),
+        (
+            vec!["advection-step", "--layout", "disordered", "--disorder", "1/2"],
+            vec!["--disorder", "1/2"],
+        ),
+    ] {
+        let all: Vec<&str> = ["run"].into_iter().chain(arguments).chain(["--out", out]).collect();
+        refused(&all, &words);
+        assert!(!Path::new(out).exists());
+    }
+}
