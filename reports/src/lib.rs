@@ -31,4 +31,6 @@ pub struct CatalogueItem {
 }
 
 /// Every table and figure a report makes.
-pub const CATALOGUE: &[CatalogueItem] = ferrari2008::CATALOGUE;
+pub fn catalogue() -> impl Iterator<Item = &'static CatalogueItem> {
+    ferrari2008::CATALOGUE.iter().chain(cha_whitworth2003::CATALOGUE)
+}

@@ -205,7 +205,7 @@ mod tests {
             let text = String::from_utf8(profile_csv(&scene, &run, true)).unwrap();
             assert_eq!(text.lines().count(), 1 + run.profile.len());
             assert!(text.lines().all(|line| line.split(',').count() == columns), "{name}: {text}");
-            assert_eq!(text.contains("NaN"), false);
+            assert!(!text.contains("NaN"));
         }
     }
 

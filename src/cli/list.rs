@@ -89,8 +89,7 @@ impl Topic {
                 .collect(),
             Self::Methods => run::methods().into_iter().map(Entry::from).collect(),
             Self::Scenes => run::scenes().into_iter().map(Entry::from).collect(),
-            Self::Figures => courant::reports::CATALOGUE
-                .iter()
+            Self::Figures => courant::reports::catalogue()
                 .map(|item| Entry {
                     name: item.name,
                     aliases: &[],

@@ -36,6 +36,9 @@ impl Point {
     }
 }
 
+/// What a point has cost.
+type Measure = fn(&Point) -> f64;
+
 /// Methods and numbers of particles, the small runs first.
 pub(super) fn runs(detail: Detail) -> Vec<(usize, ParticleMethod)> {
     let numbers: &[usize] = match detail {
@@ -128,7 +131,7 @@ pub(super) fn items(points: &[Point]) -> Vec<Item> {
             before = point.error;
         }
     }
-    let axes: [(&str, fn(&Point) -> f64); 2] = [
+    let axes: [(&str, Measure); 2] = [
         ("seconds on one thread", |point| point.seconds),
         ("pair interactions", |point| point.interactions as f64),
     ];
