@@ -356,13 +356,14 @@ pub fn follow_wave(
     let (scheme, ring) = case.prepare()?;
     let phase = case.phase(mode);
     let step = case.step();
-    let [forward, _] = predicted(&scheme.compile().mode(phase), case.integrator, step);
-    // The eigenvector of the running step, not of the prediction: what is measured owes the relation nothing but
-    // the choice of the wave.
+    let expected = predicted(&scheme.compile().mode(phase), case.integrator, step);
+    // The eigenvector of the running step: what is measured owes the relation nothing but the choice of the wave.
     let linearise = Linearise { ring: &ring, integrator: case.integrator, step, mode };
-    let [[a, b], _] =
+    let matrix =
         with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
-    let velocity = (forward - a) / b;
+    let ([started, _], _) = pair_error(expected, factors(matrix));
+    let [[a, b], _] = matrix;
+    let velocity = (started - a) / b;
     let follow = Follow { ring: &ring, integrator: case.integrator, step, mode, steps, velocity };
     let logarithm =
         with_force(code, &case.method, follow).map_err(ParticleValidationError::Step)?;
@@ -372,7 +373,7 @@ pub fn follow_wave(
         code,
         mode,
         phase,
-        predicted: frequency(forward.ln()),
+        predicted: frequency(expected[0].ln()),
         measured: frequency(logarithm),
         steps,
     })

@@ -114,7 +114,7 @@ impl Compared {
         for &code in codes(&case.method) {
             for row in rows.iter().filter(|row| row.code == code && 2 * row.mode < case.particles) {
                 // What decays below rounding, or grows beyond the linear, shows no frequency.
-                let gain = row.predicted[0].norm().powf(steps as f64);
+                let gain = row.measured[0].norm().powf(steps as f64);
                 if (1e-3..10.0).contains(&gain) {
                     waves.push(follow_wave(&case, code, row.mode, steps)?);
                 }
