@@ -20,7 +20,7 @@ pub fn radius() -> Rational {
 
 /// The number `mantissa · 2^−PRECISION`, reduced by shifting: a general gcd takes a step for every bit.
 pub fn dyadic(mantissa: BigInt) -> Rational {
-    let twos = mantissa.trailing_zeros().unwrap_or(0).min(u64::from(PRECISION));
+    let twos = mantissa.trailing_zeros().unwrap_or(u64::MAX).min(u64::from(PRECISION));
     Rational::new_raw(mantissa >> twos, BigInt::one() << (u64::from(PRECISION) - twos))
 }
 

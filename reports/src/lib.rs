@@ -13,6 +13,8 @@ pub mod gas_run;
 pub mod npy;
 pub mod number;
 pub mod page;
+pub mod particle_profile;
+pub mod particle_validation;
 pub mod publish;
 pub mod record;
 pub mod run_record;
@@ -33,7 +35,12 @@ pub struct CatalogueItem {
 
 /// Every table and figure a report makes.
 pub fn catalogue() -> impl Iterator<Item = &'static CatalogueItem> {
-    [ferrari2008::CATALOGUE, ferrari2008::section_3::CATALOGUE, cha_whitworth2003::CATALOGUE]
-        .into_iter()
-        .flatten()
+    [
+        ferrari2008::CATALOGUE,
+        ferrari2008::section_3::CATALOGUE,
+        cha_whitworth2003::dispersion::CATALOGUE,
+        cha_whitworth2003::particle_tests::CATALOGUE,
+    ]
+    .into_iter()
+    .flatten()
 }

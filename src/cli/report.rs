@@ -6,7 +6,7 @@ use super::{Failure, Outcome};
 use clap::{Args, ValueEnum};
 use courant::reports::cha_whitworth2003;
 use courant::reports::ferrari2008::{self, Detail, Table1};
-use courant::reports::page::Page;
+use courant::reports::page::{Page, Section};
 use courant::reports::publish::OutputDirectory;
 use std::path::PathBuf;
 
@@ -38,9 +38,19 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let output = OutputDirectory::open(&arguments.out)?;
     let detail = if arguments.quick { Detail::Quick } else { Detail::Full };
-    if arguments.paper == Paper::ChaWhitworth2003 {
-        return report_on_cha_whitworth(&output, detail);
+    match arguments.paper {
+        Paper::Ferrari2008 => report_on_ferrari(&output, detail),
+        Paper::ChaWhitworth2003 => report_on_cha_whitworth(&output, detail),
+        Paper::All => {
+            let part = |name: &str| OutputDirectory::open(&output.path().join(name));
+            report_on_ferrari(&part("ferrari2008")?, detail)?;
+            report_on_cha_whitworth(&part("cha-whitworth2003")?, detail)?;
+            write_contents(&output)
+        }
     }
+}
+
+fn report_on_ferrari(output: &OutputDirectory, detail: Detail) -> Result<Outcome, Failure> {
     let table = Table1::compute();
     // The tables come first: they are there before the figures are drawn.
     let mut text = String::new();
@@ -48,25 +58,53 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         text.push_str(&format!("{}\n", table.to_text()));
     }
     print(&format!("{text}{}\n\n", wrapped(&table.explanation())))?;
-    let bar = Bar::new("report");
+    let bar = Bar::new("Ferrari et al. 2008");
     let sections = ferrari2008::sections(&table, detail, &|done, all| bar.advance(done, all))
         .map_err(|error| Failure::Message(error.to_string()))?;
     bar.finish();
-    let page = Page { title: "courant: a report on Ferrari et al. 2008".into(), sections };
-    let files = page.write(&output)?;
+    write_page(output, "courant: a report on Ferrari et al. 2008", sections)
+}
+
+fn report_on_cha_whitworth(output: &OutputDirectory, detail: Detail) -> Result<Outcome, Failure> {
+    let bar = Bar::new("Cha & Whitworth 2003");
+    let sections = cha_whitworth2003::sections(detail, &|done, all| bar.advance(done, all))
+        .map_err(|error| Failure::Message(error.to_string()))?;
+    bar.finish();
+    write_page(output, "courant: a report on Cha & Whitworth 2003", sections)
+}
+
+fn write_page(
+    output: &OutputDirectory,
+    title: &str,
+    sections: Vec<Section>,
+) -> Result<Outcome, Failure> {
+    let files = Page { title: title.into(), sections }.write(output)?;
     let index = output.path().join("index.html");
     print(&format!("{files} files written; open {}\n", index.display()))
 }
 
-fn report_on_cha_whitworth(output: &OutputDirectory, detail: Detail) -> Result<Outcome, Failure> {
-    let bar = Bar::new("waves");
-    let sections = cha_whitworth2003::sections(detail, &|done, all| bar.advance(done, all))
-        .map_err(|error| Failure::Message(error.to_string()))?;
-    bar.finish();
-    let page = Page { title: "courant: a report on Cha & Whitworth 2003".into(), sections };
-    let files = page.write(output)?;
-    let index = output.path().join("index.html");
-    print(&format!("{files} files written; open {}\n", index.display()))
+/// The page that links the papers' pages.
+fn write_contents(output: &OutputDirectory) -> Result<Outcome, Failure> {
+    let papers = [
+        ("Ferrari, Dumbser, Toro & Armanini 2008", "ferrari2008"),
+        ("Cha & Whitworth 2003", "cha-whitworth2003"),
+    ];
+    let markdown: String =
+        papers.iter().map(|(title, place)| format!("- [{title}]({place}/index.md)\n")).collect();
+    let html: String = papers
+        .iter()
+        .map(|(title, place)| {
+            let title = title.replace('&', "&amp;");
+            format!("<li><a href=\"{place}/index.html\">{title}</a></li>\n")
+        })
+        .collect();
+    output.write("index.md", format!("# courant: reports\n\n{markdown}").as_bytes())?;
+    let page = format!(
+        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>courant: reports</title>\n\
+         <h1>courant: reports</h1>\n<ul>\n{html}</ul>\n</html>\n"
+    );
+    let path = output.write("index.html", page.as_bytes())?;
+    print(&format!("all papers: open {}\n", path.display()))
 }
 
 /// Text broken at spaces before column 100.

@@ -2,23 +2,22 @@
 //! Royal Astronomical Society 340, 73–90.
 
 pub mod dispersion;
+pub mod particle_tests;
 
 pub use crate::ferrari2008::{Detail, ReportError};
 
-use crate::CatalogueItem;
 use crate::page::Section;
 use courant_analysis::sweep::Progress;
 
 /// The command that makes this report.
 pub const COMMAND: &str = "courant report cha-whitworth2003";
 
-/// What this report shows.
-pub const CATALOGUE: &[CatalogueItem] = dispersion::CATALOGUE;
-
 /// The sections of the report, in the order of the paper.
 ///
 /// # Errors
 /// When the callback stops the work, or a figure cannot be composed.
 pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, ReportError> {
-    dispersion::dispersion_sections(detail, progress)
+    let mut sections = dispersion::dispersion_sections(detail, progress)?;
+    sections.extend(particle_tests::sections(detail, progress)?);
+    Ok(sections)
 }

@@ -5,7 +5,7 @@ use super::smoothing_kernel::RadialKernel;
 
 /// Artificial viscosity (8).
 ///
-/// `Π = (−α c̄ μ + β μ²)/ρ̄` for `μ = h v_ij·r_ij/(r² + 0.01 h²)`, bars and `h = (h_i + h_j)/2` the
+/// `Π = (−α c̄ μ + β μ²)/ρ̄` for `μ = h v_ij·r_ij/(r² + η h²)`, `η = 0.01`, bars and `h = (h_i + h_j)/2` the
 /// pair's means.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viscosity {
@@ -15,6 +15,8 @@ pub struct Viscosity {
     pub beta: f64,
     /// On which pairs it acts.
     pub acts_on: ActsOn,
+    /// `η`, which keeps the denominator from zero: 0.01 in (8), 0 in the linear analysis of section 4.2.
+    pub softening: f64,
 }
 
 /// Which pairs a viscosity acts on.
@@ -28,7 +30,8 @@ pub enum ActsOn {
 
 impl Viscosity {
     /// `α = 1`, `β = 2` on approaching pairs.
-    pub const STANDARD: Self = Self { alpha: 1.0, beta: 2.0, acts_on: ActsOn::Approaching };
+    pub const STANDARD: Self =
+        Self { alpha: 1.0, beta: 2.0, acts_on: ActsOn::Approaching, softening: 0.01 };
 
     /// `Π`, in pressure over density squared.
     #[inline]
@@ -38,7 +41,7 @@ impl Viscosity {
             return 0.0;
         }
         let h = 0.5 * (left.smoothing + right.smoothing);
-        let mu = h * closing * distance / (distance * distance + 0.01 * h * h);
+        let mu = h * closing * distance / (distance * distance + self.softening * h * h);
         let sound = 0.5 * (left.sound_speed + right.sound_speed);
         (-self.alpha * sound * mu + self.beta * mu * mu) * 2.0 / (left.density + right.density)
     }

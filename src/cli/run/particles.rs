@@ -1,18 +1,273 @@
-//! Scenes and methods of the particles family.
+//! Scenes and methods of particle hydrodynamics: Cha & Whitworth 2003.
 
 use super::{Arguments, Entry, Family};
-use crate::cli::{Failure, Outcome};
+use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::{Failure, Outcome, names};
+use courant::analysis::kernel::Kernel;
+use courant::analysis::rational::to_f64;
+use courant::reports::number::significant;
+use courant::reports::particle_profile::{exact_solution_holds, profile_csv, profile_figure};
+use courant::reports::publish::OutputDirectory;
+use courant::reports::run_record::{ConservationRecord, ErrorNorms, RunRecord};
+use courant::reports::table::{Align, Table};
+use courant::simulation::particles::{
+    InvalidMethodOptions, MethodOptions, PARTICLE_SCENES, ParticleMethod, ParticleRun,
+    ParticleScene, run_particles,
+};
+use serde::Serialize;
+use std::time::Instant;
 
 pub const FAMILY: Family = Family { scenes, methods, run };
 
+fn describe_scene(name: &str) -> &'static str {
+    match name {
+        "sound-wave" => "isothermal pulse of 0.01 c between mirrors",
+        "sod-sph" => "shock tube (1, 0, 1 | 0.25, 0, 0.1795), γ = 1.4",
+        "strong-blast" => "pressure ratio 3e10, γ = 1.4",
+        "isothermal-tube" => "isothermal shock tube (1, 0 | 0.25, 0)",
+        "sjogreen" => "two strong rarefactions, near vacuum between, γ = 1.4",
+        "collision-subsonic" => "isothermal streams meeting at 0.6 c",
+        "collision-supersonic" => "isothermal streams meeting at 1.2 c",
+        "noh" => "cold streams meeting, infinitely strong shocks, γ = 5/3",
+        _ => "two interacting blast waves between mirrors, γ = 1.4",
+    }
+}
+
 fn scenes() -> Vec<Entry> {
-    Vec::new()
+    let scenes = PARTICLE_SCENES.iter().filter_map(|name| ParticleScene::named(name));
+    scenes
+        .map(|scene| Entry {
+            name: scene.name,
+            description: describe_scene(scene.name),
+            source: scene.source,
+        })
+        .collect()
 }
 
 fn methods() -> Vec<Entry> {
-    Vec::new()
+    let describe = |method| match method {
+        ParticleMethod::Gph1 => "Godunov particles, (1/ρi² + 1/ρj²) ∇W(h mean)",
+        ParticleMethod::Gph2 => "Godunov particles, 2/(ρi ρj) ∇W(h mean)",
+        ParticleMethod::Gph3 => "Godunov particles, ∇W(hi)/ρi² + ∇W(hj)/ρj², exact energy",
+        ParticleMethod::Gph4 => "Godunov particles, convolution of Gaussians, exact energy",
+        ParticleMethod::Sph1 => "SPH, Pi/ρi² + Pj/ρj², viscosity α = 1, β = 2",
+        ParticleMethod::Sph2 => "SPH, 2√(Pi Pj)/(ρi ρj), viscosity α = 1, β = 2",
+    };
+    ParticleMethod::ALL
+        .map(|method| Entry {
+            name: method.name(),
+            description: describe(method),
+            source: method.source(),
+        })
+        .to_vec()
+}
+
+/// What is to be run, checked before anything starts.
+struct Plan {
+    scene: ParticleScene,
+    /// The end time the scene came with.
+    customary_end: f64,
+    particles: usize,
+    options: MethodOptions,
+}
+
+impl Plan {
+    fn new(arguments: &Arguments) -> Result<Self, Failure> {
+        let all = ParticleMethod::ALL.map(ParticleMethod::name);
+        let method = match &arguments.method {
+            Some(name) => ParticleMethod::named(name).ok_or_else(|| {
+                let problem = names::unknown("method for this scene", name, &all);
+                Failure::Message(format!("--method {name}: {problem}"))
+            })?,
+            None => {
+                return Err(Failure::Message(format!(
+                    "--method is required for {}; accepted: {}",
+                    arguments.scene,
+                    all.join(", ")
+                )));
+            }
+        };
+        let mut scene =
+            ParticleScene::named(&arguments.scene).expect("the family answers for its own scenes");
+        let customary_end = scene.end_time;
+        if let Some(time) = &arguments.time {
+            scene.end_time = to_f64(time);
+        }
+        let mut options = MethodOptions::new(method);
+        if let Some(kernel) = arguments.kernel {
+            options.kernel = kernel;
+            if kernel == Kernel::Gaussian {
+                // The ratio that keeps lattice points off the cut, as for the method that brings it.
+                options.eta = MethodOptions::new(ParticleMethod::Gph4).eta;
+            }
+        }
+        if let Some(ratio) = &arguments.ratio {
+            options.eta = to_f64(ratio);
+        }
+        if let Some(courant) = &arguments.cfl {
+            options.courant = to_f64(courant);
+        }
+        let plan = Self {
+            customary_end,
+            particles: arguments.particles.unwrap_or(scene.particles),
+            scene,
+            options,
+        };
+        plan.options.check().map_err(invalid)?;
+        Ok(plan)
+    }
+}
+
+/// The option's name as it is on the command line.
+fn invalid(error: InvalidMethodOptions) -> Failure {
+    Failure::Message(match error {
+        InvalidMethodOptions::Kernel(kernel) => {
+            format!(
+                "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
+            )
+        }
+        InvalidMethodOptions::Particles(count) => {
+            format!("--particles {count}: particle scenes need at least 10")
+        }
+        InvalidMethodOptions::NotPositive { name: "eta", value } => {
+            format!("--ratio {value}: it must be above 0")
+        }
+        InvalidMethodOptions::NotPositive { value, .. } => {
+            format!("--cfl {value}: it must be above 0 and finite")
+        }
+        other => other.to_string(),
+    })
+}
+
+/// The record with what only particle runs have.
+#[derive(Debug, Serialize)]
+struct ParticleRecord {
+    #[serde(flatten)]
+    run: RunRecord,
+    /// Why norms are null, if they all are.
+    l1_note: Option<&'static str>,
+    kernel: &'static str,
+    ratio: f64,
+    cfl: f64,
+    /// Neighbours in the wrong order: the most after any step.
+    penetration: usize,
+    pair_interactions: u64,
+    riemann_iterations: u64,
+}
+
+const BROKEN: &str = "the run broke down";
+const NO_EXACT: &str = "the scene has no exact solution";
+const TOO_LATE: &str =
+    "after the scene's own end time, waves from the ends may be inside the comparison window";
+
+fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
+    let exact = exact_solution_holds(&plan.scene, plan.customary_end, run.time);
+    let finite = |value: f64| value.is_finite().then_some(value);
+    // The state of a broken run has no error norm worth the name.
+    let errors = run.errors.filter(|_| exact && run.completed());
+    ParticleRecord {
+        run: RunRecord {
+            scene: plan.scene.name.into(),
+            method: plan.options.method.name().into(),
+            particles: run.profile.len(),
+            steps: run.steps as usize,
+            time: run.time,
+            completed: run.completed(),
+            failure: run.failure.map(|failure| failure.to_string()),
+            l1: ErrorNorms {
+                value: None,
+                density: errors.and_then(|e| finite(e.density)),
+                velocity: errors.and_then(|e| finite(e.velocity)),
+                pressure: errors.and_then(|e| finite(e.pressure)),
+                energy: errors.and_then(|e| e.energy).and_then(finite),
+            },
+            conservation: ConservationRecord {
+                mass: finite(run.drift.mass),
+                momentum: finite(run.drift.momentum),
+                energy: run.drift.energy.and_then(finite),
+            },
+            wall_seconds: seconds,
+        },
+        l1_note: match errors {
+            Some(_) => None,
+            None if !run.completed() => Some(BROKEN),
+            None if exact => Some(NO_EXACT),
+            None => Some(TOO_LATE),
+        },
+        kernel: plan.options.kernel.name(),
+        ratio: plan.options.eta,
+        cfl: plan.options.courant,
+        penetration: run.penetration.largest,
+        pair_interactions: run.counters.interactions,
+        riemann_iterations: run.counters.riemann_iterations,
+    }
+}
+
+fn table(record: &ParticleRecord) -> Table {
+    let run = &record.run;
+    let outcome = match &run.failure {
+        None => "completed".into(),
+        Some(failure) => format!("broke down: {failure}"),
+    };
+    let caption = format!(
+        "{} with {}, {} particles, {} at {} spacings, step {} of the crossing time: {outcome}",
+        run.scene, run.method, run.particles, record.kernel, record.ratio, record.cfl
+    );
+    let mut table = Table::new(caption, &[("quantity", Align::Left), ("value", Align::Right)]);
+    let number = |value: Option<f64>, digits| {
+        value.map_or_else(|| "–".to_string(), |value| significant(value, digits))
+    };
+    let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
+    add("time", significant(run.time, 6));
+    add("steps", run.steps.to_string());
+    add("L1 density", number(run.l1.density, 4));
+    add("L1 velocity", number(run.l1.velocity, 4));
+    add("L1 pressure", number(run.l1.pressure, 4));
+    add("L1 energy", number(run.l1.energy, 4));
+    if let Some(note) = record.l1_note {
+        add("no L1", note.into());
+    }
+    add("drift of mass", number(run.conservation.mass, 2));
+    add("drift of momentum", number(run.conservation.momentum, 2));
+    add("drift of energy", number(run.conservation.energy, 2));
+    add("particles out of order", record.penetration.to_string());
+    add("pair interactions", record.pair_interactions.to_string());
+    add("Riemann iterations", record.riemann_iterations.to_string());
+    add("wall seconds", significant(run.wall_seconds, 3));
+    table
 }
 
 fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    Err(Failure::Message(format!("SCENE {}: there is no such scene here", arguments.scene)))
+    let plan = Plan::new(arguments)?;
+    // Few particles are refused before the directory is made.
+    if plan.particles < 10 {
+        return Err(invalid(InvalidMethodOptions::Particles(plan.particles)));
+    }
+    let output = OutputDirectory::open(&arguments.out)?;
+    let start = Instant::now();
+    let run = run_particles(&plan.scene, plan.particles, &plan.options).map_err(invalid)?;
+    let record = record(&plan, &run, start.elapsed().as_secs_f64());
+    let exact = exact_solution_holds(&plan.scene, plan.customary_end, run.time);
+    let name = format!("{}_{}", plan.scene.name, plan.options.method.name());
+    output.write(&format!("{name}.csv"), &profile_csv(&plan.scene, &run, exact))?;
+    // A state that is not finite has no picture; the table of it is still there.
+    let figure = profile_figure(&plan.scene, &run, exact);
+    let pictures = figure.png().and_then(|png| Ok((png, figure.svg()?)));
+    match pictures {
+        Ok((png, svg)) => {
+            output.write(&format!("{name}.png"), &png)?;
+            output.write(&format!("{name}.svg"), svg.as_bytes())?;
+        }
+        Err(error) if run.completed() => return Err(error.into()),
+        Err(_) => {}
+    }
+    if arguments.format == Format::Json {
+        return print_json("run", &record);
+    }
+    print(&table_text(&table(&record), arguments.format).unwrap_or_default())?;
+    if arguments.format == Format::Table {
+        let path = output.path().join(&name);
+        return print(&format!("\nprofile and figure: {}.csv, .png, .svg\n", path.display()));
+    }
+    Ok(Outcome::Yes)
 }

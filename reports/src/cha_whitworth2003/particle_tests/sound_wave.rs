@@ -1,0 +1,87 @@
+//! Figures 6–10: a pulse of velocity that parts, is reflected and comes back.
+
+use super::COMMAND;
+use super::runs::{EARLY, Runs, Solved};
+use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::page::Item;
+use crate::particle_profile::{Quantity, exact_line, profile_csv};
+use courant_simulation::particles::ParticleMethod;
+
+const FIGURES: [(usize, ParticleMethod); 5] = [
+    (6, ParticleMethod::Gph1),
+    (7, ParticleMethod::Gph2),
+    (8, ParticleMethod::Gph3),
+    (9, ParticleMethod::Gph4),
+    (10, ParticleMethod::Sph1),
+];
+
+pub(super) fn figures(runs: &Runs) -> Vec<Item> {
+    FIGURES.iter().map(|&(number, method)| figure(runs, number, method)).collect()
+}
+
+fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
+    let snapshots = [runs.early(method), runs.get("sound-wave", method)];
+    let looks = [(Color::BLUE, Marker::Circle), (Color::VERMILION, Marker::Square)];
+    let panels = [Quantity::Density, Quantity::Velocity].map(|quantity| {
+        let mut panel =
+            Panel::new(Axis::linear("x").range(-0.5, 0.5), Axis::linear(quantity.label()));
+        for (solved, (color, marker)) in snapshots.iter().zip(looks) {
+            let Solved { scene, run, .. } = solved;
+            let values = match quantity {
+                Quantity::Density => &run.profile.density,
+                _ => &run.profile.velocity,
+            };
+            let points = run.profile.x.iter().copied().zip(values.iter().copied());
+            panel = panel.layer(
+                Markers::new(points, marker)
+                    .color(color)
+                    .open()
+                    .size(2.4)
+                    .width(0.55)
+                    .label(format!("particles, t = {}", run.time)),
+            );
+            let exact = exact_line(scene, quantity, run.time);
+            panel = panel.layer(Line::width(exact, 0.7));
+        }
+        panel
+    });
+    let Solved { scene, options, run } = snapshots[1];
+    let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
+    let title = if method.is_godunov() {
+        format!("GPH case {}", number - 5)
+    } else {
+        "SPH 1 (SPH 2 differs by less than the width of a marker)".into()
+    };
+    Item::Figure {
+        name: format!("figure_{number:02}"),
+        figure: Box::new(Figure::grid(2, 1).size(5.2, 5.4).panels(panels).legend_below()),
+        caption: format!(
+            "Figure {number}. Isothermal sound wave, {title}: density and velocity at t = {EARLY} on the way out and at \
+             t = {} on the way back from the mirrors, against d'Alembert's solution. {} particles, constant h; {}. \
+             The largest velocity at the end is {:.3} of the exact one.",
+            scene.end_time,
+            run.profile.len(),
+            Solved::settings(options),
+            peak(&run.profile.velocity) / exact_peak(snapshots[1]),
+        ),
+        data: snapshots
+            .iter()
+            .zip(["early", "late"])
+            .map(|(s, when)| {
+                (format!("figure_{number:02}_{when}.csv"), profile_csv(&s.scene, &s.run, true))
+            })
+            .collect(),
+        command: COMMAND.into(),
+    }
+}
+
+/// The largest exact velocity: half the amplitude of the initial pulse, once the two halves have parted.
+pub(super) fn exact_peak(solved: &Solved) -> f64 {
+    let [from, to] = solved.scene.window;
+    (0..=2000)
+        .filter_map(|k| {
+            let x = from + (to - from) * f64::from(k) / 2000.0;
+            solved.scene.exact(x, solved.run.time).map(|state| state.velocity().abs())
+        })
+        .fold(0.0, f64::max)
+}

@@ -1,0 +1,380 @@
+//! Dispersion relations against running particles: the step of every particle method, mode by mode.
+//!
+//! The prediction is [`courant_analysis::dispersion`]'s relation put through the algorithm of the integrator. The
+//! measurement is the step of [`courant_simulation::particles`] on a ring, differentiated by finite differences, or a
+//! wave of small amplitude followed for many steps. The two share the kernel's shape and nothing else.
+
+use crate::number::significant;
+use courant_analysis::dispersion::{Mode, WaveMethod, WaveScheme};
+use courant_analysis::integrator::Integrator as LinearIntegrator;
+use courant_analysis::kernel::Kernel;
+use courant_analysis::lattice::RatioOutOfRange;
+use courant_analysis::rational::{Rational, to_f64};
+use courant_simulation::particles::{
+    ActsOn, Amplification, Godunov, Integrator, IsothermalGas, OwnKernels, PairForce,
+    ParticleMethod, PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity,
+};
+use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
+use courant_simulation::run::Reason;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Agreement asked for. Differences are good to 1e-9 (see [`SIZE`]); the rest is room.
+pub const TOLERANCE: f64 = 1e-6;
+
+/// Amplitude of the finite differences, in spacings and sound speeds. At a knot of the kernel the third derivative
+/// jumps and leaves an error of first order in the size, which [`amplification`] removes; the second order is 1e-12,
+/// rounding 1e-16 over the size.
+const SIZE: f64 = 1e-6;
+
+/// Why nothing can be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum ParticleValidationError {
+    /// The ratio is out of range.
+    #[error(transparent)]
+    Ratio(#[from] RatioOutOfRange),
+    /// The kernel jumps at a lattice point, where a running code has no derivative.
+    #[error(
+        "{kernel} at ratio {ratio}: a lattice point stands on the cut at 3h, where the kernel jumps; take another ratio"
+    )]
+    OnTheCut {
+        /// The kernel.
+        kernel: Kernel,
+        /// `h/Δ`.
+        ratio: f64,
+    },
+    /// The ring is so short that a particle meets an image of its neighbour, or itself.
+    #[error("{particles} particles: a ring for this kernel and ratio needs at least {least}")]
+    ShortRing {
+        /// The particles asked for.
+        particles: usize,
+        /// The fewest.
+        least: usize,
+    },
+    /// A step failed.
+    #[error("a step of the ring failed: {0}")]
+    Step(Reason),
+}
+
+/// What to compare.
+#[derive(Debug, Clone)]
+pub struct ParticleCase {
+    /// The relation that predicts.
+    pub method: WaveMethod,
+    /// The kernel.
+    pub kernel: Kernel,
+    /// `h/Δ`.
+    pub ratio: Rational,
+    /// The integrator of the run.
+    pub integrator: Integrator,
+    /// `c Δt/h`.
+    pub courant: f64,
+    /// Particles on the ring.
+    pub particles: usize,
+}
+
+/// One mode of one running method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParticleModeRow {
+    /// The method that ran.
+    pub code: ParticleMethod,
+    /// The number of waves on the ring.
+    pub mode: usize,
+    /// `φ`, radians per spacing.
+    pub phase: f64,
+    /// The two factors of a step by the dispersion relation, the forward wave first.
+    pub predicted: [Complex64; 2],
+    /// The two factors of the running step, in the order that fits best.
+    pub measured: [Complex64; 2],
+    /// See [`pair_error`].
+    pub error: f64,
+}
+
+/// One wave followed for many steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FollowedWave {
+    /// The method that ran.
+    pub code: ParticleMethod,
+    /// The number of waves on the ring.
+    pub mode: usize,
+    /// `φ`, radians per spacing.
+    pub phase: f64,
+    /// The frequency of the stepped wave by the dispersion relation, in `c/Δ`.
+    pub predicted: Complex64,
+    /// The frequency that the run shows.
+    pub measured: Complex64,
+    /// How many steps were taken.
+    pub steps: usize,
+}
+
+impl FollowedWave {
+    /// `|ω − ω'|` in `c/Δ`.
+    pub fn error(&self) -> f64 {
+        (self.predicted - self.measured).norm()
+    }
+}
+
+/// The running methods that a relation speaks of. Case 4 has no closed relation.
+pub fn codes(method: &WaveMethod) -> &'static [ParticleMethod] {
+    match method {
+        WaveMethod::Sph | WaveMethod::SphAv { .. } => &[ParticleMethod::Sph1, ParticleMethod::Sph2],
+        WaveMethod::Gph { .. } => {
+            &[ParticleMethod::Gph1, ParticleMethod::Gph2, ParticleMethod::Gph3]
+        }
+    }
+}
+
+/// What one step multiplies the two waves of a mode by, by the relation; `step` is `c Δt/Δ`.
+fn predicted(mode: &Mode, integrator: Integrator, step: f64) -> [Complex64; 2] {
+    let linear = match integrator {
+        Integrator::ForwardEuler => LinearIntegrator::ForwardEuler,
+        Integrator::SymplecticEuler => LinearIntegrator::SymplecticEuler,
+        Integrator::KickDriftKick => LinearIntegrator::LeapfrogKdk,
+        Integrator::KickDriftKickPredicted => LinearIntegrator::LeapfrogKdkPredicted,
+        Integrator::Midpoint => LinearIntegrator::Rk2Midpoint,
+        Integrator::Heun => LinearIntegrator::Rk2Heun,
+        Integrator::RungeKutta3 => LinearIntegrator::Rk3Ssp,
+        Integrator::RungeKutta4 => LinearIntegrator::Rk4,
+        Integrator::PredictorCorrector => LinearIntegrator::PredictorCorrector,
+        Integrator::CentredEuler => {
+            // x' = x + dt v + dt²/2 a, v' = v + dt a, which the analysis does not list.
+            let [_, [f, g]] = mode.operator();
+            let (f, g) = (f * step * step, g * step);
+            return roots(2.0 + 0.5 * f + g, (1.0 + 0.5 * f) * (1.0 + g) - (1.0 + 0.5 * g) * f);
+        }
+    };
+    let multipliers = mode.multipliers(linear, step);
+    [multipliers.forward, multipliers.backward]
+}
+
+/// The eigenvalues of a matrix of that trace and determinant.
+fn roots(trace: Complex64, determinant: Complex64) -> [Complex64; 2] {
+    let root = (trace * trace - 4.0 * determinant).sqrt();
+    [0.5 * (trace + root), 0.5 * (trace - root)]
+}
+
+fn factors([[a, b], [c, d]]: Amplification) -> [Complex64; 2] {
+    roots(a + d, a * d - b * c)
+}
+
+/// The larger distance of the two factors from their predictions, paired as fits best, which is also how the
+/// measured ones come back.
+///
+/// Where the two factors nearly coincide, a change `ε` of the matrix moves them by `√ε`. Within 1e-3 of each
+/// other their distance is therefore weighed with their split, so that it falls with `ε` again.
+pub fn pair_error(predicted: [Complex64; 2], measured: [Complex64; 2]) -> ([Complex64; 2], f64) {
+    const CLOSE: f64 = 1e-3;
+    let distance =
+        |pair: [Complex64; 2]| (pair[0] - predicted[0]).norm().max((pair[1] - predicted[1]).norm());
+    let swapped = [measured[1], measured[0]];
+    let (direct, crossed) = (distance(measured), distance(swapped));
+    let (pair, error) = if crossed < direct { (swapped, crossed) } else { (measured, direct) };
+    let split = (predicted[0] - predicted[1]).norm();
+    (pair, error * (error.max(split) / CLOSE).min(1.0))
+}
+
+/// Something to do with the pair force of a running method.
+trait ForceVisitor {
+    type Output;
+    fn visit<F: PairForce>(self, force: &F) -> Self::Output;
+}
+
+fn with_force<V: ForceVisitor>(code: ParticleMethod, method: &WaveMethod, visitor: V) -> V::Output {
+    let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
+    // What the linear analysis has: both directions, no quadratic term, no softening.
+    let alpha = method.alpha().map_or(0.0, to_f64);
+    let viscosity = Viscosity { alpha, beta: 0.0, acts_on: ActsOn::All, softening: 0.0 };
+    match code {
+        ParticleMethod::Gph2 => visitor.visit(&Godunov { weight: Product, solver }),
+        ParticleMethod::Gph3 => visitor.visit(&Godunov { weight: OwnKernels, solver }),
+        ParticleMethod::Sph1 => visitor.visit(&Smoothed { form: PressureForm::Sum, viscosity }),
+        ParticleMethod::Sph2 => {
+            visitor.visit(&Smoothed { form: PressureForm::Geometric, viscosity })
+        }
+        // Case 4 is not among the codes that are compared.
+        ParticleMethod::Gph1 | ParticleMethod::Gph4 => {
+            visitor.visit(&Godunov { weight: SumOfSquares, solver })
+        }
+    }
+}
+
+struct Linearise<'a> {
+    ring: &'a Ring,
+    integrator: Integrator,
+    step: f64,
+    mode: usize,
+}
+
+impl ForceVisitor for Linearise<'_> {
+    type Output = Result<Amplification, Reason>;
+    fn visit<F: PairForce>(self, force: &F) -> Self::Output {
+        let Self { ring, integrator, step, mode } = self;
+        let at = |size| ring.amplification(force, integrator, step, mode, size);
+        // 2A(s) − A(2s) has no error of first order in s.
+        let (fine, coarse) = (at(SIZE)?, at(2.0 * SIZE)?);
+        Ok([0, 1].map(|row| [0, 1].map(|column| 2.0 * fine[row][column] - coarse[row][column])))
+    }
+}
+
+struct Follow<'a> {
+    ring: &'a Ring,
+    integrator: Integrator,
+    step: f64,
+    mode: usize,
+    steps: usize,
+    /// `V/X` of the wave that is started.
+    velocity: Complex64,
+}
+
+impl ForceVisitor for Follow<'_> {
+    /// `ln z`, the mean over the steps, its imaginary part followed through every turn.
+    type Output = Result<Complex64, Reason>;
+    fn visit<F: PairForce>(self, force: &F) -> Self::Output {
+        let Self { ring, integrator, step, mode, steps, velocity } = self;
+        let count = ring.particles;
+        let angle = |j: usize| TAU * ((mode * j) % count) as f64 / count as f64;
+        let lattice = ring.lattice();
+        let amplitude = 0.1 * SIZE;
+        let mut x: Vec<f64> = (0..count).map(|j| lattice[j] + amplitude * angle(j).cos()).collect();
+        let mut v: Vec<f64> =
+            (0..count).map(|j| amplitude * (velocity * Complex64::cis(angle(j))).re).collect();
+        let wave = |x: &[f64]| -> Complex64 {
+            (0..count).map(|j| (x[j] - lattice[j]) * Complex64::cis(-angle(j))).sum()
+        };
+        let start = wave(&x);
+        let (mut last, mut turned) = (start, 0.0);
+        for _ in 0..steps {
+            (x, v) = ring.step(force, integrator, step, &x, &v)?;
+            let now = wave(&x);
+            turned += (now / last).arg();
+            last = now;
+        }
+        let growth = (last.norm() / start.norm()).ln();
+        Ok(Complex64::new(growth, turned) / steps as f64)
+    }
+}
+
+impl ParticleCase {
+    /// "gph (resolved), cubic-spline, h/Δ = 1.2, rk4, c Δt/h = 0.3".
+    pub fn title(&self) -> String {
+        format!(
+            "{}, {}, h/Δ = {}, {}, c Δt/h = {}",
+            self.method.title(),
+            self.kernel.title(),
+            significant(to_f64(&self.ratio), 4),
+            self.integrator.name(),
+            significant(self.courant, 4)
+        )
+    }
+
+    /// `c Δt/Δ`.
+    fn step(&self) -> f64 {
+        self.courant * to_f64(&self.ratio)
+    }
+
+    fn prepare(&self) -> Result<(WaveScheme, Ring), ParticleValidationError> {
+        let scheme = WaveScheme::new(self.method.clone(), self.kernel, &self.ratio)?;
+        let ratio = to_f64(&self.ratio);
+        let reach = &self.ratio * Rational::from_integer(3.into());
+        if self.kernel == Kernel::Gaussian && reach.is_integer() {
+            return Err(ParticleValidationError::OnTheCut { kernel: self.kernel, ratio });
+        }
+        let least = 2 * (self.kernel.support() * ratio).ceil() as usize + 2;
+        if self.particles < least {
+            let particles = self.particles;
+            return Err(ParticleValidationError::ShortRing { particles, least });
+        }
+        let gas = IsothermalGas { sound_speed: 1.0 };
+        let kernel = self.kernel;
+        let particles = self.particles;
+        Ok((scheme, Ring { particles, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: ratio }))
+    }
+
+    fn phase(&self, mode: usize) -> f64 {
+        TAU * mode as f64 / self.particles as f64
+    }
+}
+
+/// Compares the step of every running method with the relation, for all modes up to the shortest wave.
+///
+/// ```
+/// use courant_analysis::dispersion::{Form, WaveMethod};
+/// use courant_analysis::{kernel::Kernel, rational::ratio};
+/// use courant_reports::particle_validation::{ParticleCase, validate_particles};
+/// use courant_simulation::particles::Integrator;
+/// let case = |form| ParticleCase {
+///     method: WaveMethod::Gph { form },
+///     kernel: Kernel::CubicSpline,
+///     ratio: ratio(6, 5),
+///     integrator: Integrator::ForwardEuler,
+///     courant: 0.2,
+///     particles: 16,
+/// };
+/// let worst = |form| -> f64 {
+///     let rows = validate_particles(&case(form)).expect("a smooth state");
+///     rows.iter().map(|row| row.error).fold(0.0, f64::max)
+/// };
+/// assert!(worst(Form::Resolved) < 1e-6);
+/// assert!(worst(Form::Published) > 0.1);
+/// ```
+///
+/// # Errors
+/// [`ParticleValidationError`].
+pub fn validate_particles(
+    case: &ParticleCase,
+) -> Result<Vec<ParticleModeRow>, ParticleValidationError> {
+    let (scheme, ring) = case.prepare()?;
+    let (waves, step, integrator) = (scheme.compile(), case.step(), case.integrator);
+    let mut rows = Vec::new();
+    for &code in codes(&case.method) {
+        for mode in 1..=case.particles / 2 {
+            let phase = case.phase(mode);
+            let linearise = Linearise { ring: &ring, integrator, step, mode };
+            let matrix =
+                with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
+            let predicted = predicted(&waves.mode(phase), integrator, step);
+            let (measured, error) = pair_error(predicted, factors(matrix));
+            rows.push(ParticleModeRow { code, mode, phase, predicted, measured, error });
+        }
+    }
+    Ok(rows)
+}
+
+/// Starts the forward wave of a mode with an amplitude of 1e-7 spacings and measures the frequency and the damping
+/// that the run shows over `steps` steps.
+///
+/// The shortest wave of an even ring stands and is no travelling wave: `mode` must be below half of the particles.
+///
+/// # Errors
+/// [`ParticleValidationError`].
+pub fn follow_wave(
+    case: &ParticleCase,
+    code: ParticleMethod,
+    mode: usize,
+    steps: usize,
+) -> Result<FollowedWave, ParticleValidationError> {
+    let (scheme, ring) = case.prepare()?;
+    let phase = case.phase(mode);
+    let step = case.step();
+    let expected = predicted(&scheme.compile().mode(phase), case.integrator, step);
+    // The eigenvector of the running step: what is measured owes the relation nothing but the choice of the wave.
+    let linearise = Linearise { ring: &ring, integrator: case.integrator, step, mode };
+    let matrix =
+        with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
+    let ([started, _], _) = pair_error(expected, factors(matrix));
+    let [[a, b], _] = matrix;
+    let velocity = (started - a) / b;
+    let follow = Follow { ring: &ring, integrator: case.integrator, step, mode, steps, velocity };
+    let logarithm =
+        with_force(code, &case.method, follow).map_err(ParticleValidationError::Step)?;
+    // z = e^{−iωΔt}.
+    let frequency = |logarithm: Complex64| Complex64::I * logarithm / step;
+    Ok(FollowedWave {
+        code,
+        mode,
+        phase,
+        predicted: frequency(expected[0].ln()),
+        measured: frequency(logarithm),
+        steps,
+    })
+}
