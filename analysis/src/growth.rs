@@ -131,9 +131,11 @@ impl PhaseTable {
                     continue;
                 }
                 let candidate = if index == 0 || index == last {
-                    (here, self.phases[index])
+                    self.near_end(courant_number, sign, (here, self.phases[index]))
                 } else {
-                    self.polish(courant_number, sign, index, [left, here, right])
+                    let phases = [index - 1, index, index + 1].map(|i| self.phases[i]);
+                    let triple = [left, here, right].into_iter().zip(phases);
+                    self.polish(courant_number, sign, triple.collect::<Vec<_>>().as_slice())
                 };
                 if candidate.0 > found.0 {
                     found = candidate;
@@ -144,14 +146,33 @@ impl PhaseTable {
         Extremum { growth: growth_from_excess(sign * found.0) + 0.0, phase: found.1 }
     }
 
+    /// The maximum in the cell next to an end of the phase range. The function is even about the end, so
+    /// the end is an extremum; but it may be a minimum with maxima inside the cell on both sides.
+    fn near_end(&self, courant_number: f64, sign: f64, end: (f64, f64)) -> (f64, f64) {
+        let spacing = if end.1 > 0.0 { -self.phases[1] } else { self.phases[1] };
+        let inside = |share: f64| {
+            let phase = end.1 + share * spacing;
+            (-sign * self.margin.at(courant_number, phase), phase)
+        };
+        let mut points = [0.0, 0.02, 0.1, 0.25, 0.5, 1.0]
+            .map(|share| if share > 0.0 { inside(share) } else { end });
+        let highest = (1..5).max_by(|&i, &j| points[i].0.total_cmp(&points[j].0)).unwrap_or(1);
+        if points[highest].0 <= end.0 {
+            return end;
+        }
+        let triple = &mut points[highest - 1..=highest + 1];
+        if spacing < 0.0 {
+            triple.reverse();
+        }
+        self.polish(courant_number, sign, triple)
+    }
+
     /// The maximum between the two neighbours of a sampled one: parabolic interpolation through a
     /// shrinking bracket, with a golden-section step wherever the parabola does not help.
-    fn polish(&self, courant_number: f64, sign: f64, index: usize, near: [f64; 3]) -> (f64, f64) {
+    fn polish(&self, courant_number: f64, sign: f64, triple: &[(f64, f64)]) -> (f64, f64) {
         let at = |phase: f64| (-sign * self.margin.at(courant_number, phase), phase);
         let spacing = self.phases[1];
-        let mut left = (near[0], self.phases[index - 1]);
-        let mut best = (near[1], self.phases[index]);
-        let mut right = (near[2], self.phases[index + 1]);
+        let (mut left, mut best, mut right) = (triple[0], triple[1], triple[2]);
         for _ in 0..MAX_POLISH {
             let (before, after) = (best.1 - left.1, right.1 - best.1);
             // Vertex of the parabola through the three points.
@@ -219,6 +240,22 @@ mod tests {
                 // |d²|g|²/dφ²| ≤ n² max|g|² with n ≤ 2·3·6 offsets; half the dense spacing squared.
                 prop_assert!(1.0 + largest.growth <= high + high * 40f64.powi(2) * (PI / 8000.0).powi(2));
             }
+        }
+    }
+
+    #[test]
+    fn a_minimum_inside_the_first_cell_is_found() {
+        // Lax–Wendroff SPH, Gaussian, ratio 1: |g| is smallest at a phase below the first sample.
+        let scheme = AdvectionScheme::LaxWendroffSph;
+        let symbol = Discretisation::new(scheme, Kernel::Gaussian, integer(1)).unwrap().symbol();
+        let table = PhaseTable::new(Margin::new(&symbol, &integer(0)).compile(), 100);
+        for courant_number in [2.917_108_763_299_729_5, 2.965_494_334_501_877_4] {
+            let (_, smallest) = table.extrema(courant_number, &mut Vec::new());
+            let gain = symbol.center().compile();
+            let dense = (0..=4000)
+                .map(|i| gain.amplification(courant_number, f64::from(i) * PI / 4000.0).norm())
+                .fold(f64::INFINITY, f64::min);
+            assert!(1.0 + smallest.growth <= dense + 1e-10, "{smallest:?} {dense}");
         }
     }
 }
