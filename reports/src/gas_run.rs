@@ -5,7 +5,7 @@ use crate::run_record::{ConservationRecord, ErrorNorms, RunRecord};
 use courant_simulation::comparison::Comparison;
 use courant_simulation::method::Method;
 use courant_simulation::run::Run;
-use courant_simulation::scene::Scene;
+use courant_simulation::scene::{Boundary, Scene};
 
 /// The name of a method for titles, as in the captions of Ferrari et al. 2008.
 pub fn method_title(method: &str) -> &'static str {
@@ -107,12 +107,13 @@ pub fn record(
     }
 }
 
-/// Where a run is compared: the domain, or everywhere where it is periodic (particles may have drifted
-/// over its ends).
+/// Where a run is compared: the domain, or where it is periodic a period more on each side (particles
+/// drift over the ends, in the time before a wave breaks by less than that).
 pub fn window(scene: &dyn Scene) -> [f64; 2] {
+    let [from, to] = scene.domain();
     match scene.boundary() {
-        courant_simulation::scene::Boundary::Transmissive => scene.domain(),
-        courant_simulation::scene::Boundary::Periodic => [f64::NEG_INFINITY, f64::INFINITY],
+        Boundary::Transmissive => [from, to],
+        Boundary::Periodic => [from - (to - from), to + (to - from)],
     }
 }
 
