@@ -306,13 +306,13 @@ mod tests {
                         let found = flow().amplification(&options, courant, mode).expect("valid");
                         let g = sound.amplification(courant, phase);
                         let wanted = [g.conj(), contact.amplification(courant, phase), g];
-                        for row in 0..3 {
-                            for column in 0..3 {
+                        for (row, line) in found.iter().enumerate() {
+                            for (column, value) in line.iter().enumerate() {
                                 let target =
                                     if row == column { wanted[row] } else { Complex64::default() };
                                 // See DISTURBANCE: each of 24 responses is off by a few of it.
                                 assert!(
-                                    (found[row][column] - target).norm() < 30.0 * DISTURBANCE,
+                                    (value - target).norm() < 30.0 * DISTURBANCE,
                                     "{kernel} {flux:?} C = {courant} mode {mode} [{row}][{column}]"
                                 );
                             }

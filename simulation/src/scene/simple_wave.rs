@@ -104,7 +104,7 @@ fn root(mut low: f64, mut high: f64, growing: impl Fn(f64) -> f64) -> f64 {
     loop {
         let middle = 0.5 * (low + high);
         // Also where a bound is no number: that must not loop.
-        if !(low < middle && middle < high) {
+        if middle <= low || middle >= high || middle.is_nan() {
             return middle;
         }
         if growing(middle) < 0.0 { low = middle } else { high = middle }
