@@ -48,16 +48,8 @@ pub fn sections(detail: Detail) -> Result<Vec<Section>, ReportError> {
 fn cost_figure(detail: Detail) -> Result<Item, ReportError> {
     let repetitions = if detail == Detail::Full { 5 } else { 1 };
     let cases = [
-        (
-            AdvectionScheme::GodunovSph,
-            ratio(5, 1),
-            "(a) Godunov SPH, l/Δξ = 5",
-        ),
-        (
-            AdvectionScheme::LaxWendroffSph,
-            ratio(13, 10),
-            "(b) Lax–Wendroff SPH, l/Δξ = 1.3",
-        ),
+        (AdvectionScheme::GodunovSph, ratio(5, 1), "(a) Godunov SPH, l/Δξ = 5"),
+        (AdvectionScheme::LaxWendroffSph, ratio(13, 10), "(b) Lax–Wendroff SPH, l/Δξ = 1.3"),
     ];
     let mut figure = Figure::grid(1, 2).size(7.2, 3.4);
     let mut csv = String::from("scheme,ratio,method,size,relative_error,seconds\n");
