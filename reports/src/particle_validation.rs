@@ -140,7 +140,10 @@ fn predicted(mode: &Mode, integrator: Integrator, step: f64) -> [Complex64; 2] {
             // x' = x + dt v + dt²/2 a, v' = v + dt a, which the analysis does not list.
             let [_, [f, g]] = mode.operator();
             let (f, g) = (f * step * step, g * step);
-            return roots(2.0 + 0.5 * f + g, (1.0 + 0.5 * f) * (1.0 + g) - (1.0 + 0.5 * g) * f);
+            let [one, other] =
+                roots(2.0 + 0.5 * f + g, (1.0 + 0.5 * f) * (1.0 + g) - (1.0 + 0.5 * g) * f);
+            // z = e^{−iωΔt}: the wave to the right turns clockwise.
+            return if one.im > 0.0 { [other, one] } else { [one, other] };
         }
     };
     let multipliers = mode.multipliers(linear, step);
