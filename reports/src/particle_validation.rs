@@ -19,7 +19,7 @@ use courant_simulation::run::Reason;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Agreement asked for. Differences are good to 1e-9 (see [`SIZE`]); the rest is room.
+/// Agreement asked for. Differences are good to 1e-9 by the choice of step; the rest is room.
 pub const TOLERANCE: f64 = 1e-6;
 
 /// Amplitude of the finite differences, in spacings and sound speeds. At a knot of the kernel the third derivative
