@@ -14,7 +14,7 @@ fn json(arguments: &str) -> Value {
     let errors = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code().is_some_and(|code| code < 2), "{errors}");
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+    assert!(!text.contains(": NaN") && !text.contains(": inf"), "{text}");
     serde_json::from_str(&text).unwrap()
 }
 

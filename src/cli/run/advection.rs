@@ -24,7 +24,7 @@ const WAVES: usize = 8;
 #[derive(Debug, Args)]
 pub struct Options {
     /// Advection: end time in periods of the unit interval, the same as --time (default: 1).
-    #[arg(long, value_name = "N", value_parser = numbers::positive, conflicts_with = "time")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::positive, conflicts_with = "time")]
     periods: Option<Rational>,
     /// Advection: where the particles are and which code steps them (default: uniform).
     #[arg(long, value_enum)]

@@ -26,11 +26,11 @@ pub struct Arguments {
     #[arg(long, value_parser = |text: &str| numbers::names(text, names::kernel))]
     kernel: Option<Names<Kernel>>,
     /// Smoothing ratios l/Δξ: 1,2,3 or 1:10:0.5 or 3/2, read exactly (default: 2; particle methods 6/5).
-    #[arg(long, value_parser = numbers::ratio_list)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list)]
     ratio: Option<Numbers>,
     /// Courant number (default: half the stability limit, the limit, and one and a half times it); for particle
     /// methods c Δt/h (default: 0.25).
-    #[arg(long, value_parser = numbers::positive)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::positive)]
     cfl: Option<Rational>,
     /// Particles on the ring (default: 200; particle methods 32).
     #[arg(long, value_name = "N", value_parser = ring)]

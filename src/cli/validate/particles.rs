@@ -57,7 +57,7 @@ fn integrator(text: &str) -> Result<Integrator, String> {
 #[derive(Debug, Args)]
 pub struct Options {
     /// Viscosity coefficient of sph-av, read exactly (default: 1).
-    #[arg(long, value_parser = numbers::non_negative)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative)]
     alpha: Option<Rational>,
     /// Relation of gph: resolved or published (default: resolved).
     #[arg(long, value_parser = |text: &str| text.parse::<Form>().map_err(|error| error.to_string()))]
