@@ -10,8 +10,8 @@
 //!
 //! Measured on two cores: 0.97 s for Godunov SPH with the cubic spline (165 million grid-point phases per second) and 2.3 s
 //! for Lax–Wendroff SPH with the Gaussian (70 million, with exact symbols of 61 long coefficients to build for every ratio).
-//! That is 3 to 7 % of the multiply–add peak of both cores: the samples alone would take a tenth of the time, the
-//! refinement and the exact symbols take the rest.
+//! Counting the five operations above only, that is 3 % and 1.5 % of the multiply–add peak of both cores. The rest of the
+//! time goes into the refinement and the exact symbols; this bench does not separate the two.
 
 use courant_analysis::kernel::Kernel;
 use courant_analysis::rational::{Rational, ratio};
