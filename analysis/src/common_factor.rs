@@ -4,39 +4,15 @@
 //! on the lattice — makes all coefficients of the margin vanish together, and no amount of
 //! subdivision decides the sign of a touching zero. Taking the common square out does.
 
+use crate::modular::{PrimeField, Reconstruction};
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 
-/// Primes just below 2^61; more than any common factor met here needs.
-const PRIMES: [u64; 24] = [
-    2305843009213693951,
-    2305843009213693921,
-    2305843009213693907,
-    2305843009213693723,
-    2305843009213693693,
-    2305843009213693669,
-    2305843009213693613,
-    2305843009213693561,
-    2305843009213693549,
-    2305843009213693487,
-    2305843009213693421,
-    2305843009213693373,
-    2305843009213693277,
-    2305843009213693193,
-    2305843009213693153,
-    2305843009213693133,
-    2305843009213693123,
-    2305843009213693109,
-    2305843009213693093,
-    2305843009213693013,
-    2305843009213692967,
-    2305843009213692937,
-    2305843009213692799,
-    2305843009213692757,
-];
+/// Primes tried before a common divisor is given up; more than any common factor met here needs.
+const MAX_PRIMES: usize = 64;
 
 /// The largest `H`, monic, such that `H²` divides every polynomial; 1 when there is none.
 ///
@@ -59,25 +35,34 @@ pub fn common_square_root(polynomials: &[Polynomial<Rational>]) -> Polynomial<Ra
     square_root_part(common).unwrap_or_else(Polynomial::one)
 }
 
-/// Yun's decomposition `p = f_1 f_2² f_3³ …`, from which `H = f_2 f_3 f_4² f_5² …`.
+/// `H = f_2 f_3 f_4² f_5² …` of the decomposition `p = f_1 f_2² f_3³ …`.
 fn square_root_part(polynomial: Polynomial<Rational>) -> Option<Polynomial<Rational>> {
-    let mut root = Polynomial::one();
-    if polynomial.degree() < Some(2) {
-        return Some(root);
+    let factors = square_free_factors(polynomial)?;
+    Some((1..).zip(factors).fold(Polynomial::one(), |root, (multiplicity, factor)| {
+        root * factor.pow(multiplicity / 2)
+    }))
+}
+
+/// Yun's decomposition `p = f_1 f_2² f_3³ …` into monic factors without multiple roots, up to a constant:
+/// `[f_1, f_2, …]`, empty for a constant. `None` when the primes do not suffice.
+pub(crate) fn square_free_factors(
+    polynomial: Polynomial<Rational>,
+) -> Option<Vec<Polynomial<Rational>>> {
+    let mut factors = Vec::new();
+    if polynomial.degree() < Some(1) {
+        return Some(factors);
     }
     let derivative = polynomial.derivative();
     let repeated = greatest_common_divisor(&polynomial, &derivative)?;
     let mut simple = polynomial.divide(&repeated).0;
     let mut rest = derivative.divide(&repeated).0 - simple.derivative();
-    let mut multiplicity = 1;
     while simple.degree() > Some(0) {
         let factor = greatest_common_divisor(&simple, &rest)?;
-        root = root * factor.pow(multiplicity / 2);
         simple = simple.divide(&factor).0;
         rest = rest.divide(&factor).0 - simple.derivative();
-        multiplicity += 1;
+        factors.push(factor);
     }
-    Some(root)
+    Some(factors)
 }
 
 /// The monic greatest common divisor; `None` when the primes do not suffice to reconstruct it.
@@ -89,38 +74,28 @@ fn greatest_common_divisor(
         return Some(monic(if left.is_zero() { right } else { left }));
     }
     let (left_integers, right_integers) = (integers(left), integers(right));
-    let (mut modulus, mut residues): (BigInt, Vec<BigInt>) = (BigInt::one(), Vec::new());
-    for prime in PRIMES {
+    let mut images: Option<Reconstruction> = None;
+    for field in PrimeField::descending().take(MAX_PRIMES) {
         let image = |values: &[BigInt]| -> Option<Vec<u64>> {
-            let residues: Vec<u64> = values
-                .iter()
-                .map(|v| v.mod_floor(&prime.into()).to_u64())
-                .collect::<Option<_>>()?;
+            let residues: Vec<u64> = values.iter().map(|value| field.embed(value)).collect();
             // A prime that divides the leading coefficient tells nothing.
             residues.last().is_some_and(|&leading| leading != 0).then_some(residues)
         };
         let (Some(a), Some(b)) = (image(&left_integers), image(&right_integers)) else { continue };
-        let divisor = divisor_modulo(a, b, prime);
+        let divisor = divisor_modulo(a, b, &field);
         if divisor.len() == 1 {
             return Some(Polynomial::one());
         }
-        if !residues.is_empty() && divisor.len() > residues.len() {
-            continue;
+        // An unlucky prime shows a divisor of too high degree.
+        let found = images.as_ref().map(|images| images.residues().len());
+        match images.as_mut() {
+            Some(_) if found < Some(divisor.len()) => continue,
+            Some(images) if found == Some(divisor.len()) => images.extend(&field, &divisor),
+            _ => images = Some(Reconstruction::new(&field, &divisor)),
         }
-        if divisor.len() < residues.len() || residues.is_empty() {
-            (modulus, residues) =
-                (BigInt::from(prime), divisor.into_iter().map(BigInt::from).collect());
-        } else {
-            // Chinese remainders.
-            let inverse = inverse_modulo((&modulus % prime).to_u64()?, prime);
-            for (residue, value) in residues.iter_mut().zip(divisor) {
-                let step = (BigInt::from(value) - &*residue).mod_floor(&prime.into()) * inverse;
-                *residue += &modulus * step.mod_floor(&prime.into());
-            }
-            modulus *= prime;
-        }
-        let candidate: Option<Vec<Rational>> =
-            residues.iter().map(|residue| reconstruct(residue, &modulus)).collect();
+        let candidate: Option<Vec<Rational>> = images.as_ref().and_then(|images| {
+            images.residues().iter().map(|r| reconstruct(r, images.modulus())).collect()
+        });
         if let Some(candidate) = candidate.map(Polynomial::new)
             && left.divide(&candidate).1.is_zero()
             && right.divide(&candidate).1.is_zero()
@@ -146,39 +121,12 @@ fn monic(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
 }
 
 /// Euclid's algorithm modulo a prime; the result is monic.
-fn divisor_modulo(mut a: Vec<u64>, mut b: Vec<u64>, prime: u64) -> Vec<u64> {
-    let multiply = |x: u64, y: u64| (u128::from(x) * u128::from(y) % u128::from(prime)) as u64;
+fn divisor_modulo(mut a: Vec<u64>, mut b: Vec<u64>, field: &PrimeField) -> Vec<u64> {
     while !b.is_empty() {
-        let inverse = inverse_modulo(b[b.len() - 1], prime);
-        b.iter_mut().for_each(|value| *value = multiply(*value, inverse));
-        while a.len() >= b.len() {
-            let factor = a[a.len() - 1];
-            let shift = a.len() - b.len();
-            for (target, value) in a[shift..].iter_mut().zip(&b) {
-                *target = (*target + prime - multiply(factor, *value)) % prime;
-            }
-            while a.last() == Some(&0) {
-                a.pop();
-            }
-        }
-        std::mem::swap(&mut a, &mut b);
+        (a, b) = (b.clone(), field.remainder(a, &b));
     }
-    let inverse = inverse_modulo(a[a.len() - 1], prime);
-    a.iter().map(|&value| multiply(value, inverse)).collect()
-}
-
-/// Fermat: `x^(p−2)`.
-fn inverse_modulo(value: u64, prime: u64) -> u64 {
-    let multiply = |x: u64, y: u64| (u128::from(x) * u128::from(y) % u128::from(prime)) as u64;
-    let (mut result, mut base, mut exponent) = (1, value, prime - 2);
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            result = multiply(result, base);
-        }
-        base = multiply(base, base);
-        exponent >>= 1;
-    }
-    result
+    let inverse = field.inverse(a[a.len() - 1]);
+    a.iter().map(|&value| field.multiply(value, inverse)).collect()
 }
 
 /// The fraction of small numerator and denominator with this residue (Wang's algorithm).
@@ -203,32 +151,6 @@ mod tests {
 
     fn polynomial(values: Vec<i64>) -> Polynomial<Rational> {
         Polynomial::new(values.into_iter().map(integer).collect())
-    }
-
-    #[test]
-    fn the_moduli_are_prime() {
-        // Miller–Rabin with the bases that decide every 64-bit number.
-        for prime in PRIMES {
-            let multiply =
-                |x: u64, y: u64| (u128::from(x) * u128::from(y) % u128::from(prime)) as u64;
-            let twos = (prime - 1).trailing_zeros();
-            for base in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37] {
-                let (mut x, mut square, mut exponent) = (1, base, (prime - 1) >> twos);
-                while exponent > 0 {
-                    if exponent & 1 == 1 {
-                        x = multiply(x, square)
-                    }
-                    square = multiply(square, square);
-                    exponent >>= 1;
-                }
-                let mut passes = x == 1;
-                for _ in 0..twos {
-                    passes |= x == prime - 1;
-                    x = multiply(x, x);
-                }
-                assert!(passes, "{prime}");
-            }
-        }
     }
 
     proptest! {
