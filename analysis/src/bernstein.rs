@@ -49,6 +49,9 @@ pub enum Sign {
     Undecided,
 }
 
+/// Bits of the fixed point beyond the spread of the Bernstein coefficients.
+const FIXED_POINT_BITS: u32 = 256;
+
 /// A margin `P(s, t) = Σ_j t^j p_j(s)` prepared for decisions: each `p_j` in scaled Bernstein form,
 /// `p_j(s) = Σ_i β_{j,i} s^i (1 − s)^{n−i}`, with integer `β`.
 #[derive(Debug, Clone)]
@@ -56,6 +59,7 @@ pub struct MarginForm {
     powers: Vec<Vec<BigInt>>,
     radius: Vec<BigInt>,
     binomials: Vec<BigInt>,
+    fixed_point_bits: u32,
 }
 
 impl MarginForm {
@@ -64,7 +68,20 @@ impl MarginForm {
         let degree = margin.degree();
         let powers =
             margin.integer_series().iter().map(|series| scaled_bernstein(series, degree)).collect();
-        Self { powers, radius: margin.integer_radius().to_vec(), binomials: binomials(degree) }
+        Self {
+            powers,
+            radius: margin.integer_radius().to_vec(),
+            binomials: binomials(degree),
+            fixed_point_bits: FIXED_POINT_BITS,
+        }
+    }
+
+    /// The same, fit to tell the sign of a margin that is only `2^−bits` of its size.
+    pub fn resolving(self, bits: u32) -> Self {
+        Self {
+            fixed_point_bits: self.fixed_point_bits.max(2 * bits + FIXED_POINT_BITS / 2),
+            ..self
+        }
     }
 
     /// The degree in `s`.
@@ -166,10 +183,10 @@ impl MarginForm {
     }
 
     /// Divides by the binomials and cuts to a unit far below the size of the polynomial: Bernstein
-    /// coefficients of degree `n` exceed the polynomial by less than `2^{3n/2}`, and 256 bits more are
+    /// coefficients of degree `n` exceed the polynomial by less than `2^{3n/2}`, and the bits above that are
     /// far below any tolerance asked for.
     fn in_fixed_point(&self, mut rows: Vec<Vec<BigInt>>) -> Vec<Vec<BigInt>> {
-        let wanted = 256 + 3 * self.degree() as i64 / 2;
+        let wanted = i64::from(self.fixed_point_bits) + 3 * self.degree() as i64 / 2;
         let largest = rows
             .iter()
             .flat_map(|row| row.iter().zip(&self.binomials))
@@ -371,6 +388,7 @@ mod tests {
                 powers: vec![scaled_bernstein(&series, degree)],
                 radius: vec![BigInt::zero()],
                 binomials: binomials(degree),
+                fixed_point_bits: FIXED_POINT_BITS,
             };
             let float = series.map(|value| to_f64(&Rational::from(value.clone())));
             let lowest = (0..=2000)

@@ -2,11 +2,13 @@
 //!
 //! Nothing here knows of files, terminals or plots. See `ARCHITECTURE.md`.
 
+pub mod algebraic_number;
 pub mod bernstein;
 pub mod certificate;
 pub mod common_factor;
 pub mod consistency;
 pub mod cosine_series;
+pub mod descartes;
 pub mod discriminant;
 pub mod dispersion;
 pub mod enclosed_series;

@@ -154,6 +154,25 @@ pub fn from_f64(value: f64) -> Option<Rational> {
     Rational::from_float(value)
 }
 
+/// Fractions below `√lower` and above `√upper` for `0 ≤ lower ≤ upper`, each within about `2^−bits` of it.
+pub fn square_root_enclosure(
+    lower: &Rational,
+    upper: &Rational,
+    bits: u32,
+) -> (Rational, Rational) {
+    // √(p/q) = √(p q)/q; the integer root of p q 4^b, over q 2^b, is cut downwards.
+    let root = |value: &Rational, round_up: bool| {
+        if !value.is_positive() {
+            return Rational::zero();
+        }
+        let product: BigInt = value.numer() * value.denom();
+        let scale = u64::from(bits) + value.denom().bits();
+        let root = (product << (2 * scale)).sqrt() + i32::from(round_up);
+        Rational::new(root, value.denom() << scale)
+    };
+    (root(lower, false), root(upper, true))
+}
+
 /// The fraction of smallest denominator in the closed interval `[lower, upper]` (Stern–Brocot).
 ///
 /// ```

@@ -1,8 +1,9 @@
 //! Real roots of rational polynomials in one variable: counted by Sturm's theorem, isolated by
-//! bisection, recognised as fractions.
+//! bisection, recognised as fractions, and refined from a guess by Newton's method.
 
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer, ratio, simplest_between};
+use crate::rational::{Rational, from_f64, integer, ratio, simplest_between};
+use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
@@ -129,12 +130,71 @@ fn primitive(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
         return Polynomial::zero();
     };
     let (numerator, denominator) = coefficients.iter().filter(|value| !value.is_zero()).fold(
-        (first.numer().abs(), num_bigint::BigInt::one()),
+        (first.numer().abs(), BigInt::one()),
         |(numerator, denominator), value| {
             (numerator.gcd(value.numer()), denominator.lcm(value.denom()))
         },
     );
     polynomial.scale(&Rational::new(denominator, numerator))
+}
+
+/// A root of odd multiplicity near a positive guess, enclosed to about `2^−bits` of its size: Newton's method in
+/// integer fixed point, verified by the signs of the polynomial at both ends. (The coefficients have thousands of digits;
+/// fractions and Sturm's chain on them cost a thousand times as much.)
+pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Option<RealRoot> {
+    // Unit of t: about 2^−3·bits of its size. Coefficients keep as many bits below the largest.
+    let digits = 3 * i64::from(bits);
+    let shift = digits - guess.log2().ceil() as i64;
+    let largest = coefficients.iter().map(|value| value.bits() as i64).max()?;
+    let cut = (largest - 2 * digits).max(0) as u64;
+    let rounded: Vec<BigInt> = coefficients.iter().map(|value| value >> cut).collect();
+    let unit =
+        |value: BigInt| if shift >= 0 { value >> shift as u64 } else { value << (-shift) as u64 };
+    let mut root = (from_f64(guess)? * power_of_two(shift)).to_integer();
+    // The digits double in each step, from about ten bits on.
+    for _ in 0..(bits / 5).max(2).ilog2() + 2 {
+        let (mut value, mut slope) = (BigInt::zero(), BigInt::zero());
+        for coefficient in rounded.iter().rev() {
+            slope = unit(slope * &root) + &value;
+            value = unit(value * &root) + coefficient;
+        }
+        if slope.is_zero() {
+            return None;
+        }
+        let step = if shift >= 0 { value << shift as u64 } else { value >> (-shift) as u64 };
+        root -= step / slope;
+    }
+    let margin: BigInt = root.abs() >> u64::from(bits);
+    // Ends with few digits keep the exact evaluations cheap.
+    let coarse = (i64::from(bits) - 8).max(0) as u64;
+    let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
+    let scale = coarse as i64 - shift;
+    let end = |value: BigInt| Rational::from(value) * power_of_two(scale);
+    let (lower, upper) = (end(lower), end(upper));
+    let sign = |end: &Rational| sign_of_value(coefficients, end);
+    (sign(&lower) != sign(&upper)).then_some(RealRoot { lower, upper })
+}
+
+/// The sign of an integer polynomial at a fraction.
+pub(crate) fn sign_at(polynomial: &Polynomial<BigInt>, point: &Rational) -> Sign {
+    sign_of_value(polynomial.coefficients(), point)
+}
+
+/// Homogeneous in numerator and denominator: only the sign counts.
+fn sign_of_value(coefficients: &[BigInt], point: &Rational) -> Sign {
+    let mut weight = BigInt::one();
+    let mut value = BigInt::zero();
+    for coefficient in coefficients.iter().rev() {
+        value = value * point.numer() + coefficient * &weight;
+        weight *= point.denom();
+    }
+    value.sign()
+}
+
+/// `2^exponent`.
+pub(crate) fn power_of_two(exponent: i64) -> Rational {
+    let magnitude = Rational::from(BigInt::one() << exponent.unsigned_abs());
+    if exponent < 0 { magnitude.recip() } else { magnitude }
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 mod accuracy_study;
 pub(crate) mod critical;
+mod critical_polynomial;
+mod cylinder;
 mod monotonicity;
 mod pointwise;
 mod sampled;
@@ -17,9 +19,14 @@ pub use stability::{
     StableInterval, StableSet, growth_limit, stability_limit, stable_set, stable_set_to,
 };
 
-use crate::rational::{Rational, to_f64, to_f64_above, to_f64_below, to_text};
+use crate::algebraic_number::AlgebraicNumber;
+use crate::rational::{
+    Rational, square_root_enclosure, to_f64, to_f64_above, to_f64_below, to_text,
+};
 use num_bigint::BigInt;
-use num_traits::{Signed, Zero};
+
+/// Bits that settle the `f64` on either side of an irrational limit.
+const EXACT_BITS: u32 = 120;
 
 /// What stands behind a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,6 +117,14 @@ impl ExactValue {
         }
     }
 
+    /// Two fractions around it: equal for a fraction, else `2^−bits` of it apart.
+    pub fn enclosure(&self, bits: u32) -> (Rational, Rational) {
+        match self {
+            Self::Fraction(value) => (value.clone(), value.clone()),
+            Self::SquareRoot(square) => square_root_enclosure(square, square, bits),
+        }
+    }
+
     /// As LaTeX.
     pub fn to_latex(&self) -> String {
         match self {
@@ -133,7 +148,9 @@ impl std::fmt::Display for ExactValue {
 pub struct Limit {
     lower: f64,
     upper: f64,
+    enclosure: Option<(Rational, Rational)>,
     exact: Option<ExactValue>,
+    root_of: Option<AlgebraicNumber>,
     evidence: Evidence,
     critical_phase: Option<f64>,
     binding_offset: Option<i64>,
@@ -142,33 +159,39 @@ pub struct Limit {
 impl Limit {
     /// No limit was met up to `range_end`: the property holds at least so far.
     pub(crate) fn beyond(range_end: &Rational, evidence: Evidence) -> Self {
-        Self {
-            lower: to_f64_below(range_end),
-            upper: f64::INFINITY,
-            exact: None,
-            evidence,
-            critical_phase: None,
-            binding_offset: None,
-        }
+        Self::between(to_f64_below(range_end), f64::INFINITY, evidence)
     }
 
     pub(crate) fn exactly(value: ExactValue, evidence: Evidence) -> Self {
-        let (lower, upper) = match &value {
-            ExactValue::Fraction(value) => (to_f64_below(value), to_f64_above(value)),
-            ExactValue::SquareRoot(square) => square_root_enclosure(square, square),
-        };
+        let (lower, upper) = value.enclosure(EXACT_BITS);
+        let (lower, upper) = (to_f64_below(&lower), to_f64_above(&upper));
+        Self { exact: Some(value), ..Self::between(lower, upper, evidence) }
+    }
+
+    pub(crate) fn between(lower: f64, upper: f64, evidence: Evidence) -> Self {
         Self {
             lower,
             upper,
-            exact: Some(value),
+            enclosure: None,
+            exact: None,
+            root_of: None,
             evidence,
             critical_phase: None,
             binding_offset: None,
         }
     }
 
-    pub(crate) fn between(lower: f64, upper: f64, evidence: Evidence) -> Self {
-        Self { lower, upper, exact: None, evidence, critical_phase: None, binding_offset: None }
+    /// Enclosed between two fractions.
+    fn enclosed(lower: Rational, upper: Rational, evidence: Evidence) -> Self {
+        let (below, above) = (to_f64_below(&lower), to_f64_above(&upper));
+        Self { enclosure: Some((lower, upper)), ..Self::between(below, above, evidence) }
+    }
+
+    /// The root of a polynomial.
+    fn root_of(number: AlgebraicNumber, evidence: Evidence) -> Self {
+        let (lower, upper) = number.enclosure(EXACT_BITS);
+        let (below, above) = (to_f64_below(&lower), to_f64_above(&upper));
+        Self { root_of: Some(number), ..Self::between(below, above, evidence) }
     }
 
     pub(crate) fn at_phase(self, phase: f64) -> Self {
@@ -204,6 +227,22 @@ impl Limit {
         self.exact.as_ref()
     }
 
+    /// The polynomial equation it solves, where one was found and there is no closed form.
+    pub fn equation(&self) -> Option<&AlgebraicNumber> {
+        self.root_of.as_ref()
+    }
+
+    /// Two fractions that enclose the limit, `2^−bits` of it apart where it is known so well: always when
+    /// it has a closed form or solves a known equation, else as narrow as the search was asked to be. `None` when
+    /// only the enclosure in `f64` is known.
+    pub fn enclosure(&self, bits: u32) -> Option<(Rational, Rational)> {
+        match (&self.exact, &self.root_of) {
+            (Some(value), _) => Some(value.enclosure(bits)),
+            (None, Some(number)) => Some(number.enclosure(bits)),
+            (None, None) => self.enclosure.clone(),
+        }
+    }
+
     /// What stands behind the number.
     pub fn evidence(&self) -> Evidence {
         self.evidence
@@ -229,20 +268,6 @@ impl Limit {
     pub fn is_positive(&self) -> bool {
         self.lower > 0.0
     }
-}
-
-/// Outward-rounded square roots of an enclosure of a non-negative number.
-fn square_root_enclosure(lower: &Rational, upper: &Rational) -> (f64, f64) {
-    // The integer square root of numerator·denominator·4^b over denominator·2^b, cut downwards.
-    let root = |value: &Rational, round_up: bool| {
-        if !value.is_positive() {
-            return Rational::zero();
-        }
-        let scaled: BigInt = (value.numer() * value.denom()) << 240u32;
-        let root = scaled.sqrt() + i32::from(round_up);
-        Rational::new(root, value.denom() << 120u32)
-    };
-    (to_f64_below(&root(lower, false)), to_f64_above(&root(upper, true)))
 }
 
 #[cfg(test)]

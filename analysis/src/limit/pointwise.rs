@@ -35,14 +35,18 @@ pub fn decide_at(margin: &Margin, courant_number: &Rational) -> PointVerdict {
     if margin.is_neutral() || courant_number.is_zero() && margin.courant_power() > 0 {
         return PointVerdict::Stable;
     }
-    let t = courant_number.pow(margin.stride() as i32);
+    decide_at_parameter(margin, &courant_number.pow(margin.stride() as i32))
+}
+
+/// [`decide_at`] the Courant number `t^{1/stride}`, which need not be a fraction, for a margin that is not neutral.
+pub(super) fn decide_at_parameter(margin: &Margin, t: &Rational) -> PointVerdict {
     let radius: Rational = (0..)
         .zip(margin.integer_radius())
         .map(|(power, radius)| t.pow(power) * Rational::from(radius.clone()))
         .sum();
     let powers = margin.integer_series().iter().rev();
     let center = powers.fold(Polynomial::<Rational>::zero(), |sum, series| {
-        sum.scale(&t) + series.in_powers_of_s().map(|value| Rational::from(value.clone()))
+        sum.scale(t) + series.in_powers_of_s().map(|value| Rational::from(value.clone()))
     });
     let lowered = center.clone() - Polynomial::constant(radius.clone());
     match negative_point(&lowered) {

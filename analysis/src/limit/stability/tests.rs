@@ -1,7 +1,7 @@
 use super::*;
 use crate::kernel::Kernel;
 use crate::limit::Cause;
-use crate::rational::ratio;
+use crate::rational::{integer, ratio};
 use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
 use crate::stencil::Stencil;
 use crate::symbol::Symbol;
