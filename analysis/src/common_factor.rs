@@ -65,6 +65,17 @@ pub(crate) fn square_free_factors(
     Some(factors)
 }
 
+/// Whether an integer polynomial certainly has no multiple root: it then has none modulo some prime.
+pub(crate) fn is_square_free(polynomial: &Polynomial<BigInt>) -> bool {
+    PrimeField::descending().take(2).any(|field| {
+        let image: Vec<u64> = polynomial.coefficients().iter().map(|v| field.embed(v)).collect();
+        let derivative = polynomial.derivative();
+        let slope: Vec<u64> = derivative.coefficients().iter().map(|v| field.embed(v)).collect();
+        let whole = |values: &[u64]| values.last().is_none_or(|&leading| leading != 0);
+        whole(&image) && whole(&slope) && divisor_modulo(image, slope, &field).len() == 1
+    })
+}
+
 /// The monic greatest common divisor; `None` when the primes do not suffice to reconstruct it.
 fn greatest_common_divisor(
     left: &Polynomial<Rational>,

@@ -49,10 +49,8 @@ pub struct Bivariate {
 impl Bivariate {
     /// From `[p_0, p_1, …]`.
     pub fn new(powers: Vec<Polynomial<BigInt>>) -> Self {
-        let content = powers
-            .iter()
-            .flat_map(Polynomial::coefficients)
-            .fold(BigInt::zero(), |content, value| content.gcd(value));
+        let content =
+            powers.iter().flat_map(Polynomial::coefficients).fold(BigInt::zero(), common_divisor);
         let degree = powers.iter().filter_map(Polynomial::degree).max().unwrap_or(0);
         let powers = if content.is_zero() {
             powers
@@ -111,7 +109,7 @@ impl Bivariate {
             return None;
         }
         let (mut nodes, mut values) = (Vec::with_capacity(points), Vec::with_capacity(points));
-        let mut t = 0;
+        let (mut node, mut t) = (0, 0);
         while nodes.len() < points {
             let at_t: Vec<u64> = (0..=self.degree)
                 .map(|i| {
@@ -123,10 +121,10 @@ impl Bivariate {
                 .collect();
             // Where the leading coefficient vanishes the degrees are not those of the matrix.
             if at_t[self.degree] != 0 {
-                nodes.push(t);
+                nodes.push(node);
                 values.push(discriminant_modulo(field, at_t));
             }
-            t = field.add(t, field.one());
+            (node, t) = (node + 1, field.add(t, field.one()));
         }
         Some(interpolate(field, &nodes, values))
     }
@@ -162,19 +160,25 @@ fn discriminant_modulo(field: &PrimeField, polynomial: Vec<u64>) -> u64 {
     if negative { field.subtract(0, result) } else { result }
 }
 
-/// The polynomial through the points, by Newton's divided differences.
-fn interpolate(field: &PrimeField, nodes: &[u64], mut values: Vec<u64>) -> Vec<u64> {
+/// The polynomial with these values at ascending whole numbers, by Newton's divided differences.
+fn interpolate(field: &PrimeField, nodes: &[usize], mut values: Vec<u64>) -> Vec<u64> {
     let count = nodes.len();
+    let farthest = nodes.last().map_or(0, |last| last - nodes[0]);
+    let inverses: Vec<u64> = (0..=farthest)
+        .map(
+            |distance| if distance == 0 { 0 } else { field.inverse(field.embed(&distance.into())) },
+        )
+        .collect();
     for level in 1..count {
         for i in (level..count).rev() {
             let rise = field.subtract(values[i], values[i - 1]);
-            let run = field.subtract(nodes[i], nodes[i - level]);
-            values[i] = field.multiply(rise, field.inverse(run));
+            values[i] = field.multiply(rise, inverses[nodes[i] - nodes[i - level]]);
         }
     }
     let mut coefficients: Vec<u64> = Vec::with_capacity(count);
     for (&node, &difference) in nodes.iter().zip(&values).rev() {
         // Multiply by (t − node), then add.
+        let node = field.embed(&node.into());
         coefficients.insert(0, 0);
         for i in 0..coefficients.len() - 1 {
             let product = field.multiply(node, coefficients[i + 1]);
@@ -185,11 +189,16 @@ fn interpolate(field: &PrimeField, nodes: &[u64], mut values: Vec<u64>) -> Vec<u
     coefficients
 }
 
+/// The remainder first: the binary algorithm is slow on numbers of very different length.
+fn common_divisor(content: BigInt, value: &BigInt) -> BigInt {
+    if content.is_zero() { value.clone() } else { (value % &content).gcd(&content) }
+}
+
 /// Divided by the content, with a positive leading coefficient.
 pub(crate) fn primitive(polynomial: &Polynomial<BigInt>) -> Polynomial<BigInt> {
     let coefficients = polynomial.coefficients();
     let Some(leading) = coefficients.last() else { return Polynomial::zero() };
-    let content = coefficients.iter().fold(BigInt::zero(), |content, value| content.gcd(value));
+    let content = coefficients.iter().fold(BigInt::zero(), common_divisor);
     let content = if leading.is_negative() { -content } else { content };
     polynomial.map(|value| value / &content)
 }

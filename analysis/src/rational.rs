@@ -191,13 +191,29 @@ pub fn simplest_between(lower: &Rational, upper: &Rational) -> Rational {
     if upper.is_negative() {
         return -simplest_between(&-upper.clone(), &-lower.clone());
     }
-    let ceiling = lower.ceil();
-    if ceiling <= *upper {
-        return ceiling;
+    // Continued fractions on bare integers: reducing a fraction in each step would cost far more.
+    let (mut lower, mut upper) = (
+        (lower.numer().clone(), lower.denom().clone()),
+        (upper.numer().clone(), upper.denom().clone()),
+    );
+    let [mut numerators, mut denominators] =
+        [[BigInt::zero(), BigInt::one()], [BigInt::one(), BigInt::zero()]];
+    loop {
+        let (floor, rest) = lower.0.div_rem(&lower.1);
+        let ceiling = if rest.is_zero() { floor.clone() } else { &floor + 1 };
+        let ends = &ceiling * &upper.1 <= upper.0;
+        let quotient = if ends { ceiling } else { floor };
+        for [before, last] in [&mut numerators, &mut denominators] {
+            let next = &quotient * &*last + &*before;
+            *before = std::mem::replace(last, next);
+        }
+        if ends {
+            let ([_, numerator], [_, denominator]) = (numerators, denominators);
+            return Rational::new(numerator, denominator);
+        }
+        let rest_of_upper = &upper.0 - &quotient * &upper.1;
+        (lower, upper) = ((upper.1, rest_of_upper), (lower.1, rest));
     }
-    let floor = lower.floor();
-    let rest = simplest_between(&(upper - &floor).recip(), &(lower - &floor).recip());
-    floor + rest.recip()
 }
 
 /// A fraction as text: `15/8`, or `2` when it is whole.

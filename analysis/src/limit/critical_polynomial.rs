@@ -5,7 +5,7 @@
 //! `s`. Between two such roots the number of zeros in `s` cannot change, and neither can the answer.
 
 use crate::algebraic_number::AlgebraicNumber;
-use crate::common_factor::square_free_factors;
+use crate::common_factor::{is_square_free, square_free_factors};
 use crate::descartes::sign_changes;
 use crate::discriminant::{Bivariate, primitive};
 use crate::margin::Margin;
@@ -93,6 +93,12 @@ impl CriticalPolynomials {
 fn square_free(polynomial: &Polynomial<BigInt>) -> Option<Vec<Polynomial<BigInt>>> {
     let zeros = polynomial.coefficients().iter().take_while(|value| value.is_zero()).count();
     let rest = Polynomial::new(polynomial.coefficients()[zeros..].to_vec());
+    if rest.degree() == Some(0) {
+        return Some(Vec::new());
+    }
+    if is_square_free(&rest) {
+        return Some(vec![primitive(&rest)]);
+    }
     let factors = square_free_factors(rest.map(|value| Rational::from(value.clone())))?;
     let whole = |factor: Polynomial<Rational>| {
         let common =
