@@ -77,7 +77,7 @@ pub(crate) fn is_square_free(polynomial: &Polynomial<BigInt>) -> bool {
 }
 
 /// The monic greatest common divisor; `None` when the primes do not suffice to reconstruct it.
-fn greatest_common_divisor(
+pub(crate) fn greatest_common_divisor(
     left: &Polynomial<Rational>,
     right: &Polynomial<Rational>,
 ) -> Option<Polynomial<Rational>> {

@@ -144,19 +144,24 @@ fn discriminant_modulo(field: &PrimeField, polynomial: Vec<u64>) -> u64 {
         .collect();
     let leading = polynomial[polynomial.len() - 1];
     let (mut a, mut b) = (polynomial, derivative);
-    // Res(a, b) = (−1)^{mn} lc(b)^{m − deg r} Res(b, r) with r the remainder of a by b.
-    let (mut result, mut negative) = (field.inverse(leading), false);
+    // With r = lc(b)^{m − n + 1} a mod b, which needs no inverse,
+    // Res(a, b) = (−1)^{mn} lc(b)^{m − deg r − n (m − n + 1)} Res(b, r).
+    let (mut numerator, mut denominator, mut negative) = (field.one(), leading, false);
     while b.len() > 1 {
-        let rest = field.remainder(a.clone(), &b);
+        let (m, n) = (a.len() - 1, b.len() - 1);
+        let rest = field.pseudo_remainder(a, &b);
         if rest.is_empty() {
             return 0;
         }
-        negative ^= (a.len() - 1) % 2 == 1 && (b.len() - 1) % 2 == 1;
-        let drop = (a.len() - rest.len()) as u64;
-        result = field.multiply(result, field.power(b[b.len() - 1], drop));
+        negative ^= m % 2 == 1 && n % 2 == 1;
+        let leading = b[n];
+        let power = |exponent: usize| field.power(leading, exponent as u64);
+        numerator = field.multiply(numerator, power(m + 1 - rest.len()));
+        denominator = field.multiply(denominator, power(n * (m - n + 1)));
         (a, b) = (b, rest);
     }
-    result = field.multiply(result, field.power(b[0], (a.len() - 1) as u64));
+    numerator = field.multiply(numerator, field.power(b[0], (a.len() - 1) as u64));
+    let result = field.multiply(numerator, field.inverse(denominator));
     if negative { field.subtract(0, result) } else { result }
 }
 

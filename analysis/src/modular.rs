@@ -136,6 +136,23 @@ impl PrimeField {
         }
         a
     }
+
+    /// The remainder of `lc(b)^{deg a − deg b + 1} a` divided by `b`, which costs no inverse.
+    pub fn pseudo_remainder(&self, mut a: Vec<u64>, b: &[u64]) -> Vec<u64> {
+        let (leading, tail) = (b[b.len() - 1], &b[..b.len() - 1]);
+        for degree in (b.len() - 1..a.len()).rev() {
+            // a_top is eliminated, or was zero already and the rest is multiplied all the same.
+            let Some(factor) = a.pop() else { break };
+            a.iter_mut().for_each(|value| *value = self.multiply(*value, leading));
+            for (target, &value) in a[degree - tail.len()..].iter_mut().zip(tail) {
+                *target = self.subtract(*target, self.multiply(factor, value));
+            }
+        }
+        while a.last() == Some(&0) {
+            a.pop();
+        }
+        a
+    }
 }
 
 /// Integers modulo a growing product of primes, by Chinese remainders.

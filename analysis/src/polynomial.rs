@@ -1,5 +1,6 @@
 //! Dense univariate polynomials over any commutative ring.
 
+use num_integer::Integer;
 use num_traits::{One, Zero};
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -125,6 +126,30 @@ impl Polynomial<crate::rational::Rational> {
     }
 }
 
+impl Polynomial<num_bigint::BigInt> {
+    /// The quotient by a non-zero polynomial, if it has integer coefficients and nothing is left over.
+    ///
+    /// # Panics
+    /// When `divisor` is zero.
+    pub fn divide_exactly(&self, divisor: &Self) -> Option<Self> {
+        let degree = divisor.degree().expect("a polynomial is divided by a non-zero one");
+        let leading = &divisor.coefficients[degree];
+        let mut rest = self.coefficients.clone();
+        let mut quotient = vec![Zero::zero(); (rest.len() + 1).saturating_sub(degree + 1)];
+        for shift in (0..quotient.len()).rev() {
+            let (factor, remainder) = rest[shift + degree].div_rem(leading);
+            if !remainder.is_zero() {
+                return None;
+            }
+            for (target, value) in rest[shift..].iter_mut().zip(&divisor.coefficients) {
+                *target -= &factor * value;
+            }
+            quotient[shift] = factor;
+        }
+        rest.iter().all(Zero::is_zero).then(|| Self::new(quotient))
+    }
+}
+
 impl<T: Ring> Add for Polynomial<T> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -219,6 +244,11 @@ mod tests {
         #[test]
         fn division_is_undone_by_multiplication(p in polynomial(), q in polynomial()) {
             prop_assume!(!q.is_zero());
+            let whole = |p: &Polynomial<i64>| p.map(|&v| num_bigint::BigInt::from(v));
+            let product = whole(&p) * whole(&q);
+            prop_assert_eq!(product.divide_exactly(&whole(&q)), Some(whole(&p)));
+            let one_more = product + Polynomial::one();
+            prop_assert!(q.degree() == Some(0) || one_more.divide_exactly(&whole(&q)).is_none());
             let (p, q) = (p.map(|&v| integer(v)), q.map(|&v| integer(v)));
             let (quotient, rest) = p.divide(&q);
             prop_assert!(rest.degree() < q.degree() || rest.is_zero());

@@ -146,7 +146,8 @@ pub fn to_f64_below(value: &Rational) -> f64 {
 
 /// The smallest `f64` that is not below `value`.
 pub fn to_f64_above(value: &Rational) -> f64 {
-    -to_f64_below(&-value.clone())
+    // Adding zero turns −0 into 0.
+    -to_f64_below(&-value.clone()) + 0.0
 }
 
 /// The exact value of a finite `f64`; `None` for infinities and NaN.

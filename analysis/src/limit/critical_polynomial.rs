@@ -5,7 +5,7 @@
 //! `s`. Between two such roots the number of zeros in `s` cannot change, and neither can the answer.
 
 use crate::algebraic_number::AlgebraicNumber;
-use crate::common_factor::{is_square_free, square_free_factors};
+use crate::common_factor::{greatest_common_divisor, is_square_free, square_free_factors};
 use crate::descartes::sign_changes;
 use crate::discriminant::{Bivariate, primitive};
 use crate::margin::Margin;
@@ -19,7 +19,7 @@ use num_traits::{One, Zero};
 /// The critical polynomials of an exact margin.
 #[derive(Debug, Clone)]
 pub(super) struct CriticalPolynomials {
-    /// Square-free polynomials whose roots are the critical values.
+    /// Square-free polynomials without common roots; their roots are the critical values.
     factors: Vec<Polynomial<BigInt>>,
     /// Square-free, with the roots of all of them.
     product: Polynomial<BigInt>,
@@ -43,18 +43,22 @@ impl CriticalPolynomials {
             return None;
         }
         let [at_zero, at_one] = ends;
-        let mut factors = Vec::new();
-        let mut product = Polynomial::one();
-        for polynomial in [margin.discriminant(), at_zero, at_one] {
+        let mut factors: Vec<Polynomial<BigInt>> = Vec::new();
+        // The short ones first: what they share with the discriminant is taken out of it.
+        for polynomial in [primitive(&at_zero), primitive(&at_one), margin.discriminant()] {
             if polynomial.is_zero() {
                 return None;
             }
-            product = product * primitive(&polynomial);
-            factors.extend(square_free(&polynomial)?);
+            for mut factor in square_free(&polynomial)? {
+                for known in &factors {
+                    let common = primitive_common_divisor(&factor, known)?;
+                    factor = factor.divide_exactly(&common)?;
+                }
+                factors.push(factor);
+            }
         }
-        let product = square_free(&product)?
-            .into_iter()
-            .fold(Polynomial::one(), |product: Polynomial<BigInt>, factor| product * factor);
+        factors.retain(|factor| factor.degree() > Some(0));
+        let product = factors.iter().cloned().fold(Polynomial::one(), std::ops::Mul::mul);
         Some(Self { factors, product })
     }
 
@@ -89,21 +93,30 @@ impl CriticalPolynomials {
     }
 }
 
-/// Factors without multiple roots and without the root 0, with integer coefficients.
+/// Factors of a primitive polynomial without multiple roots and without the root 0, primitive too.
 fn square_free(polynomial: &Polynomial<BigInt>) -> Option<Vec<Polynomial<BigInt>>> {
     let zeros = polynomial.coefficients().iter().take_while(|value| value.is_zero()).count();
     let rest = Polynomial::new(polynomial.coefficients()[zeros..].to_vec());
-    if rest.degree() == Some(0) {
-        return Some(Vec::new());
-    }
     if is_square_free(&rest) {
-        return Some(vec![primitive(&rest)]);
+        return Some(vec![rest]);
     }
     let factors = square_free_factors(rest.map(|value| Rational::from(value.clone())))?;
-    let whole = |factor: Polynomial<Rational>| {
-        let common =
-            factor.coefficients().iter().fold(BigInt::one(), |all, value| all.lcm(value.denom()));
-        primitive(&factor.map(|value| value.numer() * (&common / value.denom())))
-    };
-    Some(factors.into_iter().filter(|factor| factor.degree() > Some(0)).map(whole).collect())
+    Some(factors.iter().map(whole).collect())
+}
+
+/// The greatest common divisor of primitive polynomials, primitive.
+fn primitive_common_divisor(
+    left: &Polynomial<BigInt>,
+    right: &Polynomial<BigInt>,
+) -> Option<Polynomial<BigInt>> {
+    let fractions =
+        |polynomial: &Polynomial<BigInt>| polynomial.map(|value| Rational::from(value.clone()));
+    greatest_common_divisor(&fractions(left), &fractions(right)).map(|common| whole(&common))
+}
+
+/// The primitive integer multiple.
+fn whole(polynomial: &Polynomial<Rational>) -> Polynomial<BigInt> {
+    let denominators = polynomial.coefficients().iter().map(Rational::denom);
+    let common = denominators.fold(BigInt::one(), |all, value| all.lcm(value));
+    primitive(&polynomial.map(|value| value.numer() * (&common / value.denom())))
 }
