@@ -31,24 +31,25 @@ pub enum SweepError {
     Ratio(#[from] RatioOutOfRange),
 }
 
-/// The result of `work` on every row, in parallel; the callback hears of each finished row.
+/// The results of `work` on all items, in parallel and in their order; the callback hears of each.
 ///
 /// # Errors
-/// The first error of a row, or that the callback stopped the sweep.
-pub(crate) fn over_rows<Row, T: Send>(
-    rows: impl IndexedParallelIterator<Item = Row>,
+/// The error of an item, or that the callback stopped the work.
+pub fn with_progress<Item, T: Send>(
+    items: impl IndexedParallelIterator<Item = Item>,
     progress: Progress<'_>,
-    work: impl Fn(Row) -> Result<T, SweepError> + Sync + Send,
+    work: impl Fn(Item) -> Result<T, SweepError> + Sync + Send,
 ) -> Result<Vec<T>, SweepError> {
-    let (all, done) = (rows.len(), AtomicUsize::new(0));
-    rows.map(|row| {
-        let result = work(row)?;
-        match progress(done.fetch_add(1, Ordering::Relaxed) + 1, all) {
-            ControlFlow::Continue(()) => Ok(result),
-            ControlFlow::Break(()) => Err(SweepError::Cancelled),
-        }
-    })
-    .collect()
+    let (all, done) = (items.len(), AtomicUsize::new(0));
+    items
+        .map(|item| {
+            let result = work(item)?;
+            match progress(done.fetch_add(1, Ordering::Relaxed) + 1, all) {
+                ControlFlow::Continue(()) => Ok(result),
+                ControlFlow::Break(()) => Err(SweepError::Cancelled),
+            }
+        })
+        .collect()
 }
 
 /// The extreme amplification factors over the plane; every array is `[ratio, Courant number]`.
@@ -86,7 +87,7 @@ pub fn gain_map(
         lowest_gain: Array2::zeros(shape),
         lowest_gain_phase: Array2::zeros(shape),
     };
-    let rows = over_rows(ratios.par_iter(), progress, |ratio| {
+    let rows = with_progress(ratios.par_iter(), progress, |ratio| {
         let symbol = Discretisation::new(scheme, kernel, ratio.clone())?.symbol();
         let table = PhaseTable::new(Margin::new(&symbol, &integer(0)).compile(), phases);
         let mut scratch = Vec::new();

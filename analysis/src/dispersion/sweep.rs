@@ -11,7 +11,7 @@ use super::wave_scheme::{CompiledWaves, WaveScheme};
 use crate::integrator::Integrator;
 use crate::lattice::RatioOutOfRange;
 use crate::rational::{Rational, integer};
-use crate::sweep::{Progress, SweepError, over_rows};
+use crate::sweep::{Progress, SweepError, with_progress};
 use ndarray::{Array2, Array3};
 use rayon::prelude::*;
 
@@ -72,7 +72,9 @@ fn fill_rows<R: Sync>(
     if width == 0 {
         return Ok(values);
     }
-    over_rows(values.par_chunks_mut(width).zip(rows), progress, |(target, row)| fill(row, target))?;
+    with_progress(values.par_chunks_mut(width).zip(rows), progress, |(target, row)| {
+        fill(row, target)
+    })?;
     Ok(values)
 }
 

@@ -11,37 +11,21 @@ use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::particles::{
-    InvalidMethodOptions, MethodOptions, PARTICLE_SCENES, ParticleMethod, ParticleRun,
-    ParticleScene, run_particles,
+    InvalidMethodOptions, MethodOptions, ParticleMethod, ParticleRun, ParticleScene, run_particles,
 };
 use serde::Serialize;
 use std::time::Instant;
 
 pub const FAMILY: Family = Family { scenes, methods, run };
 
-fn describe_scene(name: &str) -> &'static str {
-    match name {
-        "sound-wave" => "isothermal pulse of 0.01 c between mirrors",
-        "sod-sph" => "shock tube (1, 0, 1 | 0.25, 0, 0.1795), γ = 1.4",
-        "strong-blast" => "pressure ratio 3e10, γ = 1.4",
-        "isothermal-tube" => "isothermal shock tube (1, 0 | 0.25, 0)",
-        "sjogreen" => "two strong rarefactions, near vacuum between, γ = 1.4",
-        "collision-subsonic" => "isothermal streams meeting at 0.6 c",
-        "collision-supersonic" => "isothermal streams meeting at 1.2 c",
-        "noh" => "cold streams meeting, infinitely strong shocks, γ = 5/3",
-        _ => "two interacting blast waves between mirrors, γ = 1.4",
-    }
-}
-
 fn scenes() -> Vec<Entry> {
-    let scenes = PARTICLE_SCENES.iter().filter_map(|name| ParticleScene::named(name));
-    scenes
+    ParticleScene::all()
         .map(|scene| Entry {
             name: scene.name,
-            description: describe_scene(scene.name),
+            description: scene.description,
             source: scene.source,
         })
-        .collect()
+        .to_vec()
 }
 
 fn methods() -> Vec<Entry> {
