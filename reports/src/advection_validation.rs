@@ -1,11 +1,13 @@
 //! Predicted against measured for the advection schemes: which cases to run, and the answer as JSON.
 
+use crate::number::finite;
 use courant_analysis::limit::{stability_limit, stable_set};
 use courant_analysis::rational::{Rational, from_f64, integer, to_f64, to_text};
 use courant_analysis::scheme::{Discretisation, Scheme};
 use courant_simulation::advection::{
     Fault, ModeRow, PathKind, Validation, ValidationError, ValidationPlan, validate,
 };
+use num_complex::Complex64;
 use num_traits::Zero;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -166,6 +168,13 @@ pub struct FactorRecord {
     pub phase: Option<f64>,
 }
 
+impl FactorRecord {
+    /// The record of a factor.
+    pub fn new(factor: Complex64) -> Self {
+        Self { gain: finite(factor.norm()), phase: finite(factor.arg()) }
+    }
+}
+
 /// One mode of one case as JSON.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeRecord {
@@ -234,7 +243,6 @@ pub struct ValidationRecord {
 impl ValidationRecord {
     /// The record of some cases.
     pub fn new(settings: Settings, cases: &[ValidatedCase]) -> Self {
-        let finite = |value: f64| value.is_finite().then_some(value);
         let records: Vec<CaseRecord> = cases
             .iter()
             .map(|case| {
@@ -283,8 +291,6 @@ fn names(case: &ValidatedCase) -> (&'static str, &'static str, String, f64) {
 
 fn mode_record(case: &ValidatedCase, row: &ModeRow) -> ModeRecord {
     let (scheme, kernel, ratio, cfl) = names(case);
-    let finite = |value: f64| value.is_finite().then_some(value);
-    let factor = |gain: f64, phase: f64| FactorRecord { gain: finite(gain), phase: finite(phase) };
     ModeRecord {
         scheme,
         kernel,
@@ -292,8 +298,8 @@ fn mode_record(case: &ValidatedCase, row: &ModeRow) -> ModeRecord {
         cfl,
         mode: row.mode,
         phase: row.phase,
-        predicted: factor(row.predicted.norm(), row.predicted.arg()),
-        measured: factor(row.measured.norm(), row.measured.arg()),
+        predicted: FactorRecord::new(row.predicted),
+        measured: FactorRecord::new(row.measured),
         error: finite(row.error),
     }
 }

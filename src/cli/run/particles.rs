@@ -5,7 +5,7 @@ use crate::cli::output::{Format, print, print_json, table_text};
 use crate::cli::{Failure, Outcome, names};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::rational::to_f64;
-use courant::reports::number::significant;
+use courant::reports::number::{finite, significant};
 use courant::reports::particle_profile::{exact_solution_holds, profile_csv, profile_figure};
 use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{ConservationRecord, ErrorNorms, RunRecord};
@@ -146,7 +146,6 @@ const TOO_LATE: &str =
 
 fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
     let exact = exact_solution_holds(&plan.scene, plan.customary_end, run.time);
-    let finite = |value: f64| value.is_finite().then_some(value);
     // The state of a broken run has no error norm worth the name.
     let errors = run.errors.filter(|_| exact && run.completed());
     ParticleRecord {

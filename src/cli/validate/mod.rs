@@ -5,6 +5,7 @@ mod particles;
 
 use super::numbers::{Names, Numbers};
 use super::output::Format;
+use super::waves::MethodName;
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
 use courant::analysis::kernel::Kernel;
@@ -18,7 +19,7 @@ pub struct Arguments {
     scheme: Option<AdvectionScheme>,
     /// Particle method instead of a scheme: sph, sph-av, gph.
     #[arg(long, value_parser = particles::method, conflicts_with = "scheme")]
-    method: Option<particles::MethodName>,
+    method: Option<MethodName>,
     /// Options of particle methods.
     #[command(flatten)]
     particle: particles::Options,
