@@ -3,7 +3,7 @@
 use crate::number::finite;
 use courant_analysis::limit::{stability_limit, stable_set};
 use courant_analysis::rational::{Rational, from_f64, integer, to_f64, to_text};
-use courant_analysis::scheme::{Discretisation, Scheme};
+use courant_analysis::scheme::{Discretisation, Scheme, search_range};
 use courant_simulation::advection::{
     Fault, ModeRow, PathKind, Validation, ValidationError, ValidationPlan, validate,
 };
@@ -67,7 +67,7 @@ pub struct ValidationCase {
 impl ValidationCase {
     /// A case at a Courant number asked for.
     pub fn at(discretisation: Discretisation, courant: &Rational, settings: Settings) -> Self {
-        let range = range(&discretisation).max(courant * integer(2));
+        let range = search_range(discretisation.ratio()).max(courant * integer(2));
         let set = stable_set(&discretisation.symbol(), &Rational::zero(), &range);
         let regime = if set.limit().value() == to_f64(courant) {
             Regime::Neutral
@@ -82,7 +82,9 @@ impl ValidationCase {
     /// Three cases: at half the stability limit, at the limit, and at one and a half times the limit.
     /// Where there is no stable Courant number, all three (at 1/2, 1 and 3/2) are unstable.
     pub fn about_the_limit(discretisation: &Discretisation, settings: Settings) -> Vec<Self> {
-        let limit = stability_limit(&discretisation.symbol(), &range(discretisation)).value();
+        let limit =
+            stability_limit(&discretisation.symbol(), &search_range(discretisation.ratio()))
+                .value();
         // No neighbour counts where there is no end to the stable numbers: every number is neutral.
         let (limit, regimes) = if limit == 0.0 {
             (1.0, [Regime::Unstable; 3])
@@ -118,11 +120,6 @@ impl ValidationCase {
             .filter(|text| text.len() <= 8)
             .unwrap_or_else(|| crate::number::significant(courant, 8))
     }
-}
-
-/// Courant numbers searched for a limit: far beyond any of the schemes here, about 1.2 l/Δξ.
-fn range(discretisation: &Discretisation) -> Rational {
-    integer(10) + discretisation.ratio() * integer(4)
 }
 
 /// A case and what came of it.

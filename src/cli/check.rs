@@ -2,7 +2,7 @@
 
 mod waves;
 
-use super::limits::{binding_wave, default_range};
+use super::limits::binding_wave;
 use super::output::{Format, print, print_json, table_text};
 use super::subject::{Subject, SubjectOptions};
 use super::{Failure, Outcome, names, numbers};
@@ -11,7 +11,7 @@ use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::Limit;
 use courant::analysis::limit::stable_set;
 use courant::analysis::rational::{Rational, to_f64, to_text};
-use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant::analysis::verdict::{Check, Verdict, check};
 use courant::reports::number::significant;
 use courant::reports::record::CheckRecord;
@@ -50,7 +50,7 @@ fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome,
     let discretisation = Discretisation::new(scheme, arguments.kernel, arguments.ratio.clone())
         .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
     let symbol = discretisation.symbol();
-    let range = default_range(&arguments.ratio);
+    let range = search_range(&arguments.ratio);
     let found = check(&symbol, &arguments.cfl, &range);
     let within_budget = arguments.growth.as_ref().map(|growth| {
         let range = range.max(&arguments.cfl * Rational::from_integer(2.into()));

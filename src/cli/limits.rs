@@ -14,8 +14,8 @@ use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::{
     Limit, StableSet, growth_limit, monotonicity_limit, sampled_stability_limit, stable_set,
 };
-use courant::analysis::rational::{Rational, integer, to_f64, to_text};
-use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::analysis::rational::{Rational, to_f64, to_text};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant::reports::certificate_file;
 use courant::reports::number::{finite, significant};
 use courant::reports::record::{
@@ -68,11 +68,6 @@ struct Answer {
     monotonicity: Limit,
     growth: Vec<(Rational, Limit)>,
     keeps_constants: bool,
-}
-
-/// The Courant numbers searched by default: far beyond any limit of the schemes here, about 1.2 l/Δξ.
-pub fn default_range(ratio: &Rational) -> Rational {
-    integer(10) + ratio * integer(4)
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -146,7 +141,7 @@ fn write_certificates(
         .par_iter()
         .map(|answer| {
             let scheme = &answer.discretisation;
-            let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(scheme.ratio()));
+            let range = arguments.max_cfl.clone().unwrap_or_else(|| search_range(scheme.ratio()));
             let symbol = scheme.symbol();
             let failed = |error: CertificationError| {
                 let (kernel, ratio) = (scheme.kernel(), to_text(scheme.ratio()));
@@ -175,7 +170,7 @@ fn answer(
     kernel: Kernel,
     ratio: Rational,
 ) -> Result<Answer, Failure> {
-    let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(&ratio));
+    let range = arguments.max_cfl.clone().unwrap_or_else(|| search_range(&ratio));
     let discretisation = Discretisation::new(scheme, kernel, ratio)
         .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
     let symbol = discretisation.symbol();
