@@ -125,15 +125,16 @@ impl WaveMap {
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
         let field =
             |values: Array2<f64>| Field::new(self.kappas.clone(), self.second.clone(), values);
-        let (x, y) = (range(&self.kappas), range(&self.second));
         let name = match self.shown {
             Shown::PhaseError => "smoothing ratio h/Δ",
             Shown::Amplitude => "viscosity coefficient α",
         };
-        let mut panel =
-            Panel::new(wave_number_axis().range(x.0, x.1), Axis::linear(name).range(y.0, y.1))
-                .title(title)
-                .layer(FilledContours::new(field(self.values.clone())?, self.bands()?));
+        let mut panel = Panel::new(
+            wave_number_axis().spanning(&self.kappas),
+            Axis::linear(name).spanning(&self.second),
+        )
+        .title(title)
+        .layer(FilledContours::new(field(self.values.clone())?, self.bands()?));
         // Where nothing travels the error is 1 by definition: its isolines would only crowd the border.
         let mut travelling = self.values.clone();
         travelling.zip_mut_with(&self.damping_ratio, |value, ratio| {
@@ -185,8 +186,8 @@ impl WaveMap {
             }
             Shown::Amplitude => {
                 let edges = (0..=10).map(|tenths| f64::from(tenths) / 10.0).collect();
-                let grows = Color::rgb(92, 8, 18);
-                Bands::sequential(edges, ColorMap::Viridis).map(|bands| bands.extend_above(grows))
+                Bands::sequential(edges, ColorMap::Viridis)
+                    .map(|bands| bands.extend_above(Color::DARK_RED))
             }
         }
     }
@@ -244,10 +245,6 @@ pub fn wave_number_axis() -> Axis {
     ])
 }
 
-fn range(values: &[f64]) -> (f64, f64) {
-    (values[0], values[values.len() - 1])
-}
-
 /// The regions where a field is at least `level`.
 fn regions(field: &Field, level: f64) -> impl Iterator<Item = Region> + use<> {
     let ring_region = |ring: Vec<[f64; 2]>| Region::polygon(ring.into_iter().map(|p| (p[0], p[1])));
@@ -290,11 +287,10 @@ impl StepMap {
     /// When the axes have too few points to draw.
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
         let field = Field::new(self.ratios.clone(), self.alphas.clone(), self.steps.clone())?;
-        let (x, y) = (range(&self.ratios), range(&self.alphas));
         let levels = [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4];
         Ok(Panel::new(
-            Axis::linear("smoothing ratio h/Δ").range(x.0, x.1),
-            Axis::linear("viscosity α").range(y.0, y.1),
+            Axis::linear("smoothing ratio h/Δ").spanning(&self.ratios),
+            Axis::linear("viscosity α").spanning(&self.alphas),
         )
         .title(title)
         .layer(FilledContours::new(field.clone(), Self::bands()?))
