@@ -20,6 +20,7 @@ pub mod publish;
 pub mod record;
 pub mod run_record;
 pub mod stability_map;
+pub mod step_map;
 pub mod table;
 pub mod wave_map;
 

@@ -9,7 +9,8 @@ use courant::analysis::dispersion::{LatticeSums, WaveMethod, WaveScheme};
 use courant::analysis::integrator::Integrator;
 use courant::analysis::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant::reports::publish::OutputDirectory;
-use courant::reports::wave_map::{amplitude_map, phase_error_map, step_map};
+use courant::reports::step_map::step_map;
+use courant::reports::wave_map::{amplitude_map, phase_error_map};
 
 /// What is mapped over what.
 enum Plane<'a> {
