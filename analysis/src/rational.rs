@@ -244,6 +244,46 @@ pub fn to_text(value: &Rational) -> String {
     }
 }
 
+/// The first significant digits of a positive number, cut off and not rounded, so that what is printed is not above
+/// it; in scientific notation when it is very small or very large.
+///
+/// ```
+/// use courant_analysis::rational::{decimal_below, ratio};
+/// assert_eq!(decimal_below(&ratio(227, 81), 6), "2.80246");
+/// assert_eq!(decimal_below(&ratio(15, 8), 6), "1.87500");
+/// assert_eq!(decimal_below(&ratio(2, 3_000_000), 3), "6.66e-7");
+/// ```
+///
+/// # Panics
+/// When `value` is not positive, or `digits` is 0.
+pub fn decimal_below(value: &Rational, digits: usize) -> String {
+    assert!(value.is_positive() && digits > 0, "a positive number has a first digit");
+    let ten = |power: i64| BigInt::from(10).pow(power.unsigned_abs() as u32);
+    let cut = |exponent: i64| {
+        let shift = digits as i64 - 1 - exponent;
+        let (up, down) =
+            if shift >= 0 { (ten(shift), BigInt::one()) } else { (BigInt::one(), ten(shift)) };
+        (value.numer() * up) / (value.denom() * down)
+    };
+    let bits = value.numer().bits() as i64 - value.denom().bits() as i64;
+    // One off at most; the digits tell.
+    let guess = (bits as f64 * std::f64::consts::LOG10_2).floor() as i64;
+    let (exponent, all) = (guess - 1..=guess + 1)
+        .map(|exponent| (exponent, cut(exponent).to_string()))
+        .find(|(_, all)| all.len() == digits && all != "0")
+        .expect("one of three powers of ten is right");
+    if !(-4..digits as i64 + 3).contains(&exponent) {
+        let (first, rest) = all.split_at(1);
+        let point = if rest.is_empty() { "" } else { "." };
+        return format!("{first}{point}{rest}e{exponent}");
+    }
+    match usize::try_from(exponent) {
+        Err(_) => format!("0.{}{all}", "0".repeat((-exponent - 1) as usize)),
+        Ok(whole) if whole + 1 >= digits => format!("{all}{}", "0".repeat(whole + 1 - digits)),
+        Ok(whole) => format!("{}.{}", &all[..=whole], &all[whole + 1..]),
+    }
+}
+
 /// A fraction as LaTeX: `\frac{15}{8}`.
 pub fn to_latex(value: &Rational) -> String {
     let sign = if value.is_negative() { "-" } else { "" };
@@ -298,6 +338,18 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn printed_digits_are_not_above(numerator in 1u64.., denominator in 1u64.., digits in 1usize..25) {
+            let value = Rational::new(numerator.into(), denominator.into());
+            let text = decimal_below(&value, digits);
+            let printed = parse(&text).unwrap();
+            prop_assert!(printed <= value, "{}", text);
+            let mantissa = text.split('e').next().unwrap().replace('.', "");
+            let significant = mantissa.trim_start_matches('0').len();
+            prop_assert!(significant >= digits);
+            prop_assert!(value < &printed * (integer(1) + integer(10).pow(1 - digits as i32)));
+        }
+
         #[test]
         fn f64_round_trips(value in prop::num::f64::NORMAL) {
             prop_assert_eq!(to_f64(&from_f64(value).unwrap()), value);

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// A limit. A number that is not finite is `null`, and `reason` says why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LimitRecord {
-    /// The best single number.
+    /// The largest number known not to be above the limit.
     pub value: Option<f64>,
     /// The property holds from 0 up to here.
     pub lower: f64,
@@ -19,6 +19,12 @@ pub struct LimitRecord {
     pub upper: Option<f64>,
     /// A fraction or square root, as text.
     pub exact: Option<String>,
+    /// The first digits, cut off, when more than a number of JSON holds were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub decimal: Option<String>,
+    /// The polynomial of which it is a root, when it has no closed form.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equation: Option<EquationRecord>,
     /// `proved`, `enclosed` or `sampled`.
     pub evidence: &'static str,
     /// How many phases a sampled limit looked at.
@@ -44,6 +50,14 @@ impl From<&Limit> for LimitRecord {
             lower: limit.lower(),
             upper: finite(limit.upper()),
             exact: limit.exact().map(ToString::to_string),
+            decimal: None,
+            equation: limit.equation().map(|root| EquationRecord {
+                text: root.equation("C"),
+                polynomial: {
+                    let polynomial = root.polynomial();
+                    polynomial.coefficients().iter().map(ToString::to_string).collect()
+                },
+            }),
             evidence: limit.evidence().name(),
             phases: match limit.evidence() {
                 Evidence::Sampled { phases } => Some(phases),
@@ -58,6 +72,15 @@ impl From<&Limit> for LimitRecord {
     }
 }
 
+/// A polynomial equation in the Courant number.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EquationRecord {
+    /// As one writes it.
+    pub text: String,
+    /// The integer coefficients of `1, C, C², …`.
+    pub polynomial: Vec<String>,
+}
+
 /// One stable interval of Courant numbers; `to` is `null` where it goes on beyond the range.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct IntervalRecord {
@@ -65,6 +88,22 @@ pub struct IntervalRecord {
     pub from: f64,
     /// Where it ends.
     pub to: Option<f64>,
+    /// Why the end is `null`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+impl IntervalRecord {
+    /// From one number to another; without an end where the interval goes on beyond what was looked at.
+    pub fn new(from: f64, to: f64, range_end: f64) -> Self {
+        let reason = format!("no end up to {}", significant(range_end, 6));
+        Self { from, to: finite(to), reason: to.is_infinite().then_some(reason) }
+    }
+
+    /// From 0 to a limit.
+    pub fn up_to(limit: &Limit) -> Self {
+        Self::new(0.0, limit.value(), limit.lower())
+    }
 }
 
 /// A growth budget and the limit it allows.
@@ -105,16 +144,13 @@ pub struct LimitsRow {
 pub fn intervals(set: &StableSet) -> Vec<IntervalRecord> {
     set.intervals
         .iter()
-        .map(|interval| IntervalRecord {
-            from: interval.from.value(),
-            to: finite(interval.to.value()),
-        })
+        .map(|i| IntervalRecord::new(i.from.upper(), i.to.value(), i.to.lower()))
         .collect()
 }
 
 /// What could not be decided.
 pub fn undecided(set: &StableSet) -> Vec<IntervalRecord> {
-    set.undecided.iter().map(|&(from, to)| IntervalRecord { from, to: Some(to) }).collect()
+    set.undecided.iter().map(|&(from, to)| IntervalRecord::new(from, to, from)).collect()
 }
 
 /// The answer of `check`.

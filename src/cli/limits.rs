@@ -12,14 +12,14 @@ use courant::analysis::certificate::{
 };
 use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::{
-    Limit, StableSet, growth_limit, monotonicity_limit, sampled_stability_limit, stable_set,
+    DEFAULT_BITS, Limit, StableSet, monotonicity_limit, sampled_stability_limit, stable_set_to,
 };
 use courant::analysis::rational::{Rational, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant::reports::certificate_file;
 use courant::reports::number::{finite, significant};
 use courant::reports::record::{
-    GrowthRecord, IntervalRecord, LimitsRow, exact_latex, intervals, undecided,
+    GrowthRecord, IntervalRecord, LimitRecord, LimitsRow, exact_latex, intervals, undecided,
 };
 use courant::reports::table::{Align, Cell, Table};
 use num_traits::Zero;
@@ -46,6 +46,10 @@ pub struct Arguments {
     /// Look at N equally spaced phases instead of proving.
     #[arg(long, value_name = "N", value_parser = numbers::phases, conflicts_with = "method")]
     samples: Option<usize>,
+    /// Significant digits of the limits, cut off and not rounded (at most 300); more than 15 need a closed form, an equation, or a
+    /// narrower enclosure, which takes longer.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::digits)]
+    digits: Option<usize>,
     /// Also write a certificate of every limit to this file; `courant verify` checks it.
     #[arg(long, value_name = "FILE.json", conflicts_with_all = ["samples", "method"])]
     certificate: Option<PathBuf>,
@@ -83,8 +87,13 @@ fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome,
     if let Some(file) = &arguments.certificate {
         write_certificates(arguments, file, &answers)?;
     }
-    let table = table(arguments, scheme, &answers);
-    show(arguments, &table, &remarks(&answers), || answers.iter().map(row).collect())
+    let table = match arguments.format {
+        Format::Csv => csv_table(arguments, &answers),
+        _ => table(arguments, scheme, &answers),
+    };
+    show(arguments, &table, &remarks(&answers), || {
+        answers.iter().map(|answer| row(arguments, answer)).collect()
+    })
 }
 
 /// What there is to say about every kernel at every ratio.
@@ -182,7 +191,7 @@ fn answer(
             (sampled_stability_limit(&symbol, &phases, &range), None)
         }
         None => {
-            let set = stable_set(&symbol, &Rational::zero(), &range);
+            let set = stable_set_to(&symbol, &Rational::zero(), &range, bits(arguments));
             (set.limit(), Some(set))
         }
     };
@@ -191,31 +200,34 @@ fn answer(
         stability,
         set,
         monotonicity: monotonicity_limit(&symbol, &range),
-        growth: budgets.iter().map(|g| (g.clone(), growth_limit(&symbol, g, &range))).collect(),
+        growth: budgets
+            .iter()
+            .map(|g| (g.clone(), stable_set_to(&symbol, g, &range, bits(arguments)).limit()))
+            .collect(),
         keeps_constants: symbol.keeps_constants(),
         discretisation,
     })
 }
 
-fn row(answer: &Answer) -> LimitsRow {
+fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
     LimitsRow {
         scheme: answer.discretisation.scheme().name().into(),
         kernel: answer.discretisation.kernel().name().into(),
         ratio: to_text(answer.discretisation.ratio()),
-        stability: (&answer.stability).into(),
+        stability: record(arguments, &answer.stability),
         stable_set: match &answer.set {
             Some(set) => intervals(set),
-            None => vec![IntervalRecord { from: 0.0, to: finite(answer.stability.value()) }],
+            None => vec![IntervalRecord::up_to(&answer.stability)],
         },
         undecided: answer.set.as_ref().map(undecided).unwrap_or_default(),
-        monotonicity: (&answer.monotonicity).into(),
+        monotonicity: record(arguments, &answer.monotonicity),
         growth_limits: answer
             .growth
             .iter()
             .map(|(growth, limit)| GrowthRecord {
                 growth: to_f64(growth),
                 value: finite(limit.value()),
-                limit: limit.into(),
+                limit: record(arguments, limit),
             })
             .collect(),
         keeps_constants: answer.keeps_constants,
@@ -239,30 +251,81 @@ fn table(arguments: &Arguments, scheme: AdvectionScheme, answers: &[Answer]) -> 
         let mut cells = vec![
             Cell::from(answer.discretisation.kernel().name()),
             to_text(answer.discretisation.ratio()).into(),
-            number(&answer.stability),
+            number(arguments, &answer.stability),
             exact(&answer.stability),
             answer.stability.evidence().name().into(),
             binding_wave(&answer.stability).into(),
-            number(&answer.monotonicity),
+            number(arguments, &answer.monotonicity),
             exact(&answer.monotonicity),
         ];
-        cells.extend(answer.growth.iter().map(|(_, limit)| number(limit)));
+        cells.extend(answer.growth.iter().map(|(_, limit)| number(arguments, limit)));
         table.push(cells);
     }
     table
 }
 
-/// A limit for people: twelve digits are proved, eleven are shown.
-fn number(limit: &Limit) -> Cell {
-    if limit.value().is_infinite() {
-        format!("> {}", significant(limit.lower(), 6)).into()
-    } else {
-        significant(limit.value(), 11).into()
+/// The same for machines: every number with all its digits, empty where there is none.
+fn csv_table(arguments: &Arguments, answers: &[Answer]) -> Table {
+    let limits = ["stability", "monotonicity"].map(String::from).into_iter();
+    let growth = budgets(arguments).iter().map(|growth| format!("growth_{:e}", to_f64(growth)));
+    let mut columns: Vec<String> = ["scheme", "kernel", "ratio"].map(String::from).to_vec();
+    for limit in limits.chain(growth) {
+        let parts = ["", "_lower", "_upper", "_exact", "_evidence", "_phase", "_cause"];
+        columns.extend(parts.map(|part| format!("{limit}{part}")));
     }
+    columns.push("keeps_constants".into());
+    let columns: Vec<(&str, Align)> = columns.iter().map(|c| (c.as_str(), Align::Left)).collect();
+    let mut table = Table::new(String::new(), &columns);
+    let shown = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+    for answer in answers {
+        let row = row(arguments, answer);
+        let mut cells = vec![row.scheme, row.kernel, row.ratio];
+        let budgets = row.growth_limits.into_iter().map(|growth| growth.limit);
+        for limit in [row.stability, row.monotonicity].into_iter().chain(budgets) {
+            cells.extend([
+                limit.decimal.unwrap_or_else(|| shown(limit.value)),
+                limit.lower.to_string(),
+                shown(limit.upper),
+                limit.exact.unwrap_or_default(),
+                limit.evidence.into(),
+                shown(limit.critical_phase),
+                limit.cause.unwrap_or_default().into(),
+            ]);
+        }
+        cells.push(row.keeps_constants.to_string());
+        table.push(cells);
+    }
+    table
+}
+
+/// Digits shown when no number of them is asked for.
+const DEFAULT_DIGITS: usize = 11;
+
+/// Bits of an enclosure that settle the digits asked for.
+fn bits(arguments: &Arguments) -> u32 {
+    let digits = arguments.digits.unwrap_or(DEFAULT_DIGITS) as f64;
+    ((digits * std::f64::consts::LOG2_10).ceil() as u32 + 4).max(DEFAULT_BITS)
+}
+
+/// A limit for people: no digit is rounded up, so that what is printed may be used.
+fn number(arguments: &Arguments, limit: &Limit) -> Cell {
+    match limit.decimal(arguments.digits.unwrap_or(DEFAULT_DIGITS)) {
+        Some(digits) => digits.into(),
+        None => format!("> {}", significant(limit.lower(), 6)).into(),
+    }
+}
+
+/// A limit as JSON, with its digits where they were asked for.
+fn record(arguments: &Arguments, limit: &Limit) -> LimitRecord {
+    let decimal = arguments.digits.and_then(|digits| limit.decimal(digits));
+    LimitRecord { decimal, ..limit.into() }
 }
 
 /// The closed form where it is short enough to be read.
 fn exact(limit: &Limit) -> Cell {
+    if let Some(root) = limit.equation() {
+        return format!("root, degree {}", root.degree()).into();
+    }
     let text = limit.exact().map_or_else(String::new, ToString::to_string);
     match exact_latex(limit) {
         _ if text.len() > 24 => "(long fraction)".into(),
@@ -282,6 +345,17 @@ pub fn binding_wave(limit: &Limit) -> String {
     }
 }
 
+/// The longest equation that is shown below a table; longer ones are in the JSON.
+const LONGEST_EQUATION: usize = 160;
+
+/// The equation a limit solves, if there is one and it can be read.
+fn add_equation(remarks: &mut Vec<String>, name: &str, limit: &str, unknown: &str, found: &Limit) {
+    let text = found.equation().map(|root| root.equation(unknown));
+    if let Some(text) = text.filter(|text| text.len() <= LONGEST_EQUATION) {
+        remarks.push(format!("{name}: {limit} solves {text}"));
+    }
+}
+
 /// What the columns cannot say.
 fn remarks(answers: &[Answer]) -> Vec<String> {
     let mut remarks = Vec::new();
@@ -294,6 +368,7 @@ fn remarks(answers: &[Answer]) -> Vec<String> {
         if !answer.keeps_constants {
             remarks.push(format!("{name}: a constant is not kept, the mean drifts"));
         }
+        add_equation(&mut remarks, &name, "the stability limit C", "C", &answer.stability);
         let Some(set) = &answer.set else { continue };
         if set.neutral {
             remarks.push(format!("{name}: |g| = 1 for every wave at every C: no neighbour counts"));
@@ -305,8 +380,8 @@ fn remarks(answers: &[Answer]) -> Vec<String> {
                 .map(|i| {
                     format!(
                         "[{}, {}]",
-                        significant(i.from.value(), 8),
-                        significant(i.to.value(), 8)
+                        significant(i.from.upper(), 8),
+                        i.to.decimal(8).unwrap_or_else(|| significant(i.to.lower(), 8))
                     )
                 })
                 .collect();

@@ -164,6 +164,11 @@ pub fn phases(text: &str) -> Result<usize, String> {
     count(text, 2, 10_000_000)
 }
 
+/// A number of significant digits.
+pub fn digits(text: &str) -> Result<usize, String> {
+    count(text, 1, 300)
+}
+
 /// A whole number within bounds.
 pub fn count(text: &str, least: usize, most: usize) -> Result<usize, String> {
     text.parse()

@@ -10,10 +10,9 @@ use crate::descartes::sign_changes;
 use crate::discriminant::{Bivariate, primitive};
 use crate::margin::Margin;
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer};
+use crate::rational::{Rational, common_denominator, integer, numerator_over};
 use crate::real_roots::power_of_two;
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, Zero};
 
 /// The critical polynomials of an exact margin.
@@ -116,7 +115,6 @@ fn primitive_common_divisor(
 
 /// The primitive integer multiple.
 fn whole(polynomial: &Polynomial<Rational>) -> Polynomial<BigInt> {
-    let denominators = polynomial.coefficients().iter().map(Rational::denom);
-    let common = denominators.fold(BigInt::one(), |all, value| all.lcm(value));
-    primitive(&polynomial.map(|value| value.numer() * (&common / value.denom())))
+    let common = common_denominator(polynomial.coefficients());
+    primitive(&polynomial.map(|value| numerator_over(value, &common)))
 }

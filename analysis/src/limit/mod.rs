@@ -14,16 +14,19 @@ pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
 pub use pointwise::{PointVerdict, decide_at};
 pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
-pub(crate) use stability::{MAX_BOXES, phase_of, phase_parameter, stable_set_of};
 pub use stability::{
-    StableInterval, StableSet, growth_limit, stability_limit, stable_set, stable_set_to,
+    DEFAULT_BITS, StableInterval, StableSet, growth_limit, stability_limit, stable_set,
+    stable_set_to,
 };
+pub(crate) use stability::{MAX_BOXES, phase_of, phase_parameter, stable_set_of};
 
 use crate::algebraic_number::AlgebraicNumber;
 use crate::rational::{
-    Rational, square_root_enclosure, to_f64, to_f64_above, to_f64_below, to_text,
+    Rational, decimal_below, from_f64, integer, parse, square_root_enclosure, to_f64, to_f64_above,
+    to_f64_below, to_text,
 };
 use num_bigint::BigInt;
+use num_traits::Signed;
 
 /// Bits that settle the `f64` on either side of an irrational limit.
 const EXACT_BITS: u32 = 120;
@@ -202,14 +205,57 @@ impl Limit {
         Self { binding_offset: Some(offset), ..self }
     }
 
-    /// The best single number: the exact value rounded, or the middle of the enclosure. Infinite when
-    /// no limit was met in the range looked at; [`lower`](Self::lower) is then the end of that range.
+    /// The best single number that, written as a decimal, is not above the limit: 1.6 for 8/5. Infinite when no limit was met in
+    /// the range looked at; [`lower`](Self::lower) is then the end of that range.
     pub fn value(&self) -> f64 {
-        match &self.exact {
-            Some(ExactValue::Fraction(value)) => to_f64(value),
-            _ if self.upper.is_infinite() => f64::INFINITY,
-            _ => self.lower + 0.5 * (self.upper - self.lower),
+        if self.upper.is_infinite() {
+            return f64::INFINITY;
         }
+        // A user who types what is printed means the decimal, not the binary number nearest to it.
+        let Some(certain) = self.certain_lower() else { return self.lower };
+        [to_f64(&certain), self.lower]
+            .into_iter()
+            .find(|value| parse(&value.to_string()).is_ok_and(|typed| typed <= certain))
+            .unwrap_or(self.lower.next_down())
+    }
+
+    /// The property certainly holds up to this fraction, as far as is known without effort.
+    pub(crate) fn certain_lower(&self) -> Option<Rational> {
+        self.enclosure(EXACT_BITS).map(|(lower, _)| lower).or_else(|| from_f64(self.lower))
+    }
+
+    /// The property is certainly lost above this fraction.
+    fn certain_upper(&self) -> Option<Rational> {
+        self.enclosure(EXACT_BITS).map(|(_, upper)| upper).or_else(|| from_f64(self.upper))
+    }
+
+    /// The first digits of the limit, at most so many and no more than the enclosure settles to one unit; cut off, not rounded, so
+    /// that what is printed is not above it. `None` when no limit was met.
+    ///
+    /// ```
+    /// use courant_analysis::{kernel::Kernel, limit::stability_limit, rational::{integer, ratio}};
+    /// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+    /// let scheme =
+    ///     Discretisation::new(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, ratio(3, 2));
+    /// let limit = stability_limit(&scheme.unwrap().symbol(), &integer(10));
+    /// assert_eq!(limit.decimal(30).unwrap(), "1.43606169983103640453022937410");
+    /// ```
+    pub fn decimal(&self, digits: usize) -> Option<String> {
+        if self.upper.is_infinite() {
+            return None;
+        }
+        let bits = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + 8;
+        let known = || Some((self.certain_lower()?, self.certain_upper()?));
+        let (lower, upper) = self.enclosure(bits).or_else(known)?;
+        if !lower.is_positive() {
+            return Some("0".into());
+        }
+        let settled = |digits: &usize| {
+            let one_unit = &lower / integer(10).pow(*digits as i32 - 1);
+            &upper - &lower < one_unit
+        };
+        let digits = (1..=digits).rev().find(settled).unwrap_or(1);
+        Some(decimal_below(&lower, digits))
     }
 
     /// The property holds from 0 up to here.

@@ -2,15 +2,16 @@
 //! values are averages of old ones: Ferrari et al. 2008 (2.24).
 
 use super::{Evidence, ExactValue, Limit};
+use crate::algebraic_number::AlgebraicNumber;
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer, to_f64_above, to_f64_below};
+use crate::rational::{Rational, common_denominator, integer, numerator_over};
 use crate::real_roots::{RealRoot, real_roots};
 use crate::stencil::Stencil;
 use crate::symbol::EnclosedSymbol;
 use num_traits::{Signed, Zero};
 
-/// Roots are enclosed to this many bits of their size before they are rounded outwards to `f64`.
-const ROOT_BITS: u32 = 70;
+/// Roots are enclosed to this many bits of their size: more than the enclosures of the Gaussian settle.
+const ROOT_BITS: u32 = 200;
 
 /// The monotonicity limit within `[0, max_courant]`; value 0 when a coefficient is negative for every
 /// small positive Courant number. [`Limit::binding_offset`] names the coefficient that binds.
@@ -25,28 +26,40 @@ const ROOT_BITS: u32 = 70;
 /// ```
 pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Limit {
     let evidence = if symbol.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
-    let mut binding: Option<(i64, RealRoot)> = None;
+    let mut binding: Option<(i64, RealRoot, Polynomial<Rational>)> = None;
     // Coefficients that are negative at once come first: they end the search.
     let mut coefficients = enclosed_coefficients(symbol);
     coefficients.sort_by_key(|(_, center, _)| !starts_negative(center));
     for (offset, coefficient, radius) in coefficients {
-        let end = binding.as_ref().map_or(max_courant, |(_, root)| &root.upper);
+        let end = binding.as_ref().map_or(max_courant, |(_, root, _)| &root.upper);
         if end.is_zero() {
             break;
         }
         let Some(root) = first_negative(&coefficient, &radius, end) else { continue };
-        if binding.as_ref().is_none_or(|(_, best)| root.lower < best.lower) {
-            binding = Some((offset, root));
+        if binding.as_ref().is_none_or(|(_, best, _)| root.lower < best.lower) {
+            binding = Some((offset, root, coefficient));
         }
     }
-    let Some((offset, root)) = binding else { return Limit::beyond(max_courant, evidence) };
+    let Some((offset, root, coefficient)) = binding else {
+        return Limit::beyond(max_courant, evidence);
+    };
     let limit = match root.exact() {
         Some(value) if symbol.is_exact() || value.is_zero() => {
             Limit::exactly(ExactValue::Fraction(value.clone()), evidence)
         }
-        _ => Limit::between(to_f64_below(&root.lower), to_f64_above(&root.upper), evidence),
+        _ => match symbol.is_exact().then(|| algebraic(&coefficient, &root)).flatten() {
+            Some(number) => Limit::root_of(number, evidence),
+            None => Limit::enclosed(root.lower, root.upper, evidence),
+        },
     };
     limit.at_offset(offset)
+}
+
+/// A root of the coefficient where it changes its sign.
+fn algebraic(coefficient: &Polynomial<Rational>, root: &RealRoot) -> Option<AlgebraicNumber> {
+    let common = common_denominator(coefficient.coefficients());
+    let integers = coefficient.map(|value| numerator_over(value, &common));
+    AlgebraicNumber::between(integers, root.lower.clone(), root.upper.clone())
 }
 
 /// Every coefficient of the scheme that is not identically zero: its offset, its center as a polynomial
@@ -133,6 +146,18 @@ mod tests {
                 assert!(!limit.is_positive());
             }
         }
+    }
+
+    #[test]
+    fn an_irrational_limit_is_a_root_of_its_coefficient() {
+        // c_0 = 1 − C − C² beside c_{−1} = C + C²: the golden section.
+        let backward = Stencil::new(-1, vec![integer(-1), integer(1)]);
+        let symbol = Symbol::identity()
+            - Symbol::courant_power(1, backward.clone())
+            - Symbol::courant_power(2, backward);
+        let limit = monotonicity_limit(&EnclosedSymbol::exact(symbol), &integer(10));
+        assert_eq!(limit.equation().unwrap().equation("C"), "-C^2 - C + 1 = 0");
+        assert_eq!(limit.decimal(20).unwrap(), "0.61803398874989484820");
     }
 
     #[test]

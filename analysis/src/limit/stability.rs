@@ -18,8 +18,8 @@ use search::Search;
 /// Boxes one decision may look at.
 pub(crate) const MAX_BOXES: usize = 2000;
 
-/// The relative width of an enclosure that is tried first when no other is asked for, as a power of one half.
-const DEFAULT_BITS: u32 = 52;
+/// The relative width of an enclosure when no other is asked for, as a power of one half: that of an `f64`.
+pub const DEFAULT_BITS: u32 = 52;
 
 /// A maximal interval of stable Courant numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,16 +71,9 @@ impl StableSet {
     pub fn contains(&self, courant_number: &Rational) -> bool {
         courant_number.is_zero()
             || self.intervals.iter().any(|interval| {
-                let above = match interval.from.exact().and_then(ExactValue::as_fraction) {
-                    Some(from) => courant_number >= from,
-                    None => {
-                        from_f64(interval.from.upper()).is_some_and(|from| *courant_number >= from)
-                    }
-                };
-                let below = match interval.to.exact().and_then(ExactValue::as_fraction) {
-                    Some(to) => courant_number <= to,
-                    None => from_f64(interval.to.lower()).is_some_and(|to| *courant_number <= to),
-                };
+                let above =
+                    interval.from.certain_upper().is_some_and(|from| *courant_number >= from);
+                let below = interval.to.certain_lower().is_some_and(|to| *courant_number <= to);
                 above && below
             })
     }

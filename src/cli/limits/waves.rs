@@ -1,6 +1,9 @@
 //! `courant limits --method`: stable time steps of particle methods.
 
-use super::{Arguments, answers, binding_wave, budgets, exact, number, show, table_with_budgets};
+use super::{
+    Arguments, add_equation, answers, binding_wave, budgets, exact, number, show,
+    table_with_budgets,
+};
 use crate::cli::subject::{SteppedMethod, SteppedRecord};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::dispersion::{StableStep, StepEnd, stable_step, stable_step_within};
@@ -8,7 +11,7 @@ use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::Limit;
 use courant::analysis::rational::{Rational, integer, to_f64, to_text};
 use courant::reports::number::{finite, significant};
-use courant::reports::record::{GrowthRecord, IntervalRecord, LimitRecord};
+use courant::reports::record::{EquationRecord, GrowthRecord, IntervalRecord, LimitRecord};
 use courant::reports::table::{Align, Cell, Table};
 use serde::Serialize;
 
@@ -29,7 +32,12 @@ pub fn record(limit: &Limit) -> LimitRecord {
             "undecided".into()
         }
     });
-    LimitRecord { reason, ..limit.into() }
+    let plain = LimitRecord::from(limit);
+    // The unknown is x = c Δt/h.
+    let equation = limit.equation().zip(plain.equation);
+    let equation =
+        equation.map(|(root, found)| EquationRecord { text: root.equation("x"), ..found });
+    LimitRecord { reason, equation, ..limit.into() }
 }
 
 /// One method, integrator, kernel and ratio.
@@ -101,11 +109,11 @@ fn row(stepped: &SteppedMethod, answer: &Answer) -> Row {
     Row {
         subject: stepped.record(answer.kernel, &answer.ratio),
         stability: record(limit),
-        stable_set: vec![IntervalRecord { from: 0.0, to: finite(limit.value()) }],
+        stable_set: vec![IntervalRecord::up_to(limit)],
         undecided: stable
             .undecided()
             .iter()
-            .map(|(from, to)| IntervalRecord { from: *from, to: finite(*to) })
+            .map(|&(from, to)| IntervalRecord::new(from, to, from))
             .collect(),
         per_spacing: finite(stable.per_spacing()),
         per_standard_deviation: finite(stable.per_standard_deviation()),
@@ -146,7 +154,7 @@ fn table(arguments: &Arguments, stepped: &SteppedMethod, answers: &[Answer]) -> 
         let mut cells = vec![
             Cell::from(answer.kernel.name()),
             to_text(&answer.ratio).into(),
-            number(limit),
+            number(arguments, limit),
             exact(limit),
             significant(stable.per_spacing(), 6).into(),
             significant(stable.per_standard_deviation(), 6).into(),
@@ -154,7 +162,7 @@ fn table(arguments: &Arguments, stepped: &SteppedMethod, answers: &[Answer]) -> 
             binding_wave(limit).into(),
             stable.binding().map_or("–", |binding| binding.name()).into(),
         ];
-        cells.extend(answer.growth.iter().map(|(_, found)| number(found.limit())));
+        cells.extend(answer.growth.iter().map(|(_, found)| number(arguments, found.limit())));
         table.push(cells);
     }
     table
@@ -170,6 +178,7 @@ fn remarks(answers: &[Answer]) -> Vec<String> {
                 "{name}: at the limit itself −1 is a double multiplier and the amplitude grows linearly; smaller steps are stable"
             ));
         }
+        add_equation(&mut remarks, &name, "the limit x = c Δt/h", "x", answer.stable.limit());
         for (from, to) in answer.stable.undecided() {
             let (from, to) = (significant(*from, 8), significant(*to, 8));
             remarks.push(format!("{name}: undecided for c Δt/h in [{from}, {to}]"));

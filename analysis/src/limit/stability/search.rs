@@ -199,8 +199,11 @@ impl<'a> Search<'a> {
             let Some(root) = self.root_near(&s, refined.parameter, 1e-9) else { continue };
             let mut lowers = vec![root.lower.clone()];
             if !self.margin.is_exact() {
-                // The lowered margin vanishes at this very end, which boxes need not see.
-                lowers.push(&root.lower * (integer(1) - power_of_half(self.bits - 2)));
+                // The lowered margin vanishes at this very end, which boxes need not see, and the data may not
+                // justify what is asked for.
+                lowers.extend(
+                    self.widths().map(|bits| &root.lower * (integer(1) - power_of_half(bits - 2))),
+                );
             }
             for lower in lowers {
                 if lower > *from && self.is_stable(from, &lower).is_ok() {

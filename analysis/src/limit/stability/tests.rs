@@ -121,6 +121,40 @@ fn a_disconnected_stable_set_is_found_whole() {
 }
 
 #[test]
+fn printed_digits_are_those_of_the_limit() {
+    // The Gaussian's weights are enclosed to 2^−185: fifty digits, not more, whatever is asked for.
+    let of = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::Gaussian, integer(3));
+    let set = stable_set_to(&of.unwrap().symbol(), &integer(0), &integer(10), 400);
+    let expected = long_wave_limit(Kernel::Gaussian, &integer(3));
+    let digits = set.limit().decimal(100).unwrap();
+    assert!((45..60).contains(&digits.len()), "{digits}");
+    let printed = crate::rational::parse(&digits).unwrap();
+    assert!(
+        printed <= expected && &expected - &printed < ratio(1, 10).pow(digits.len() as i32 - 4)
+    );
+    // An interior limit of an exact scheme: beyond the affordable discriminant by the narrower search.
+    let of =
+        Discretisation::new(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, ratio(81, 10));
+    let symbol = of.unwrap().symbol();
+    let wide = stable_set(&symbol, &integer(0), &integer(20)).limit();
+    let narrow = stable_set_to(&symbol, &integer(0), &integer(20), 140).limit();
+    assert!(wide.equation().is_none());
+    assert!(wide.lower() <= narrow.lower() && narrow.upper() <= wide.upper());
+    assert_eq!(narrow.decimal(40).unwrap().len(), 41);
+}
+
+#[test]
+fn what_is_printed_may_be_used() {
+    for (kernel, l) in [(Kernel::Gaussian, 1), (Kernel::Gaussian, 2), (Kernel::WendlandC2, 1)] {
+        let of = Discretisation::new(AdvectionScheme::GodunovSph, kernel, integer(l)).unwrap();
+        let set = stable_set(&of.symbol(), &integer(0), &integer(10));
+        for text in [set.limit().decimal(11).unwrap(), set.limit().value().to_string()] {
+            assert!(set.contains(&crate::rational::parse(&text).unwrap()), "{kernel} {l}: {text}");
+        }
+    }
+}
+
+#[test]
 fn the_work_stays_small() {
     for (scheme, kernel, l, boxes) in [
         (AdvectionScheme::GodunovSph, Kernel::CubicSpline, 10, 20),
