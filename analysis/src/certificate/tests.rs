@@ -71,17 +71,22 @@ fn growth_budgets_are_certified() {
     }
 }
 
-/// Changes one place of a certificate at a time: every number up by one, every text and flag to another,
-/// every list shortened and every entry removed.
+/// Changes one place of a certificate at a time: every number up and down by one and to its negative,
+/// every text and flag to another, every list shortened and every entry removed.
 fn mutations(value: &Value) -> Vec<Value> {
     let mut all = Vec::new();
     match value {
         Value::Null => all.push(Value::from("1")),
         Value::Bool(flag) => all.push(Value::from(!flag)),
-        Value::Number(number) => all.push(Value::from(number.as_i64().unwrap() + 1)),
+        Value::Number(number) => {
+            let number = number.as_i64().unwrap();
+            all.extend([Value::from(number + 1), Value::from(number - 1)]);
+        }
         Value::String(text) => match Exact::read(text) {
             Some(Exact(number)) => {
-                all.push(serde_json::to_value(Exact(number + integer(1))).unwrap());
+                for other in [&number + integer(1), &number - integer(1), -number] {
+                    all.push(serde_json::to_value(Exact(other)).unwrap());
+                }
                 all.push(Value::from("0/0"));
             }
             None => {
