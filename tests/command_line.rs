@@ -266,6 +266,7 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
             ],
             vec!["--certificate: cannot write `/no/such/dir/x.json`: No such file"],
         ),
+        (vec!["report", "--out", ""], vec!["--out <OUT> needs a value\n"]),
         (vec!["report", "ferarri2008"], vec!["did you mean `ferrari2008`"]),
         (vec!["limits", "--schem", "x"], vec!["--schem", "did you mean"]),
         (vec!["limitz"], vec!["limitz"]),
