@@ -180,6 +180,21 @@ fn every_interval_of_a_disconnected_set_has_its_certificate() {
 }
 
 #[test]
+fn waves_neutral_at_every_courant_number_are_taken_out_and_certified() {
+    // g = 1 − C s (1 − 2s)², so 1 − g² = s (s − 1/2)² C (8 − 16 C s (s − 1/2)²): stable while the last
+    // bracket is not negative, that is up to C = 2.
+    let s = Stencil::new(-1, vec![ratio(-1, 4), ratio(1, 2), ratio(-1, 4)]);
+    let neutral = Stencil::term(0, integer(1)) - s.clone() * Stencil::term(0, integer(2));
+    let damped = s * neutral.clone() * neutral;
+    let symbol = EnclosedSymbol::exact(Symbol::identity() - Symbol::courant_power(1, damped));
+    let certificates = certify_stability(&symbol, None, &integer(0), &integer(10)).unwrap();
+    let Proof::Stability(proof) = &certificates[0].proof else { panic!("a stability proof") };
+    assert_eq!(proof.margin.neutral_waves, [ratio(-1, 2).into(), integer(1).into()]);
+    let statement = verify(&certificates[0]).unwrap().statement;
+    assert!(statement.ends_with("up to C = 2 and not just above"), "{statement}");
+}
+
+#[test]
 fn a_wrong_limit_cannot_be_certified() {
     // The published 1.90 instead of 15/8, with boxes that look the part.
     let scheme = scheme(GodunovSph, Kernel::CubicSpline, integer(2));
