@@ -195,7 +195,7 @@ fn sampling_is_named_and_sees_less() {
 
 #[test]
 fn bad_input_is_one_clear_line_and_exit_code_2() {
-    let place = tempfile::tempdir().unwrap();
+    let place = tempfile::Builder::new().prefix("place").tempdir().unwrap();
     let file = place.path().join("file");
     std::fs::write(&file, "").unwrap();
     let below_a_file = file.join("out");
@@ -254,6 +254,19 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
             vec!["--out", "cannot write"],
         ),
         (vec!["report", "--out", below_a_file], vec!["--out", "cannot write"]),
+        (
+            vec![
+                "limits",
+                "--scheme",
+                "godunov-sph",
+                "--ratio",
+                "1",
+                "--certificate",
+                "/no/such/dir/x.json",
+            ],
+            vec!["--certificate: cannot write `/no/such/dir/x.json`: No such file"],
+        ),
+        (vec!["report", "--out", ""], vec!["--out <OUT> needs a value\n"]),
         (vec!["report", "ferarri2008"], vec!["did you mean `ferrari2008`"]),
         (vec!["limits", "--schem", "x"], vec!["--schem", "did you mean"]),
         (vec!["limitz"], vec!["limitz"]),
@@ -270,6 +283,7 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
         for word in words {
             assert!(error.contains(word), "{arguments:?}: {error} lacks {word}");
         }
+        assert!(!error.contains(".tmp"), "{arguments:?}: {error} names a temporary file");
     }
     assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 1);
 }

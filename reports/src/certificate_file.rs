@@ -1,8 +1,8 @@
 //! Files of certificates: `{"schema": "courant.certificate/1", "certificates": […]}`.
 
+use crate::publish::{PublishError, write_whole};
 use courant_analysis::certificate::{Certificate, CertificateError, Verified, verify};
 use serde::{Deserialize, Serialize};
-use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -19,7 +19,10 @@ struct File {
 /// Why a file of certificates cannot be written, read or believed.
 #[derive(Debug, Error)]
 pub enum CertificateFileError {
-    /// The file cannot be opened, read or written.
+    /// The file cannot be written.
+    #[error(transparent)]
+    Publish(#[from] PublishError),
+    /// The file cannot be opened or read.
     #[error("{path}: {source}", path = .path.display())]
     Access {
         /// The file.
@@ -50,22 +53,16 @@ pub enum CertificateFileError {
     },
 }
 
-/// Writes certificates, beside the file first and then in its place.
+/// Writes certificates, whole or not at all.
 ///
 /// # Errors
 /// When the file cannot be written.
 pub fn write(path: &Path, certificates: &[Certificate]) -> Result<(), CertificateFileError> {
-    let access = |source| CertificateFileError::Access { path: path.into(), source };
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let temporary =
-        tempfile::NamedTempFile::new_in(folder.unwrap_or(Path::new("."))).map_err(access)?;
     let file = File { schema: SCHEMA.into(), certificates: certificates.to_vec() };
-    let mut writer = BufWriter::new(&temporary);
-    serde_json::to_writer(&mut writer, &file).map_err(|error| access(error.into()))?;
-    writer.write_all(b"\n").and_then(|()| writer.flush()).map_err(access)?;
-    drop(writer);
-    temporary.persist(path).map_err(|error| access(error.error))?;
-    Ok(())
+    let mut text = serde_json::to_vec(&file)
+        .map_err(|error| PublishError { path: path.into(), source: error.into() })?;
+    text.push(b'\n');
+    Ok(write_whole(path, &text)?)
 }
 
 /// Reads certificates without believing them.

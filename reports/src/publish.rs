@@ -37,7 +37,7 @@ impl OutputDirectory {
     pub fn open(path: &Path) -> Result<Self, PublishError> {
         let failed = |source| PublishError { path: path.to_owned(), source };
         std::fs::create_dir_all(path).map_err(failed)?;
-        tempfile::NamedTempFile::new_in(path).map_err(failed)?;
+        temporary_file(path).map_err(failed)?;
         Ok(Self { path: path.to_owned() })
     }
 
@@ -67,23 +67,16 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PublishError> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let mut file = tempfile::NamedTempFile::new_in(directory).map_err(failed)?;
-    file.write_all(bytes).map_err(failed)?;
-    make_readable(file.as_file()).map_err(failed)?;
+    let file = temporary_file(directory).map_err(failed)?;
+    file.as_file().write_all(bytes).map_err(failed)?;
     file.persist(path).map_err(|error| failed(error.error))?;
     Ok(())
 }
 
-/// Temporary files are private; results are not.
-#[cfg(unix)]
-fn make_readable(file: &std::fs::File) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_file: &std::fs::File) -> std::io::Result<()> {
-    Ok(())
+/// A file with the permissions of any other, which goes away unless it is moved to its place. Its errors
+/// are those of the system alone: nobody asked for its name.
+fn temporary_file(directory: &Path) -> std::io::Result<tempfile::NamedTempFile<std::fs::File>> {
+    tempfile::Builder::new().make_in(directory, |path| std::fs::File::create_new(path))
 }
 
 #[cfg(test)]
@@ -98,6 +91,27 @@ mod tests {
         let error = OutputDirectory::open(&file.join("below")).unwrap_err();
         assert!(error.to_string().contains("below"), "{error}");
         assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_directory_that_is_not_there_is_named_and_nothing_else() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("none").join("a");
+        let error = write_whole(&path, b"x").unwrap_err();
+        let system = std::fs::write(&path, b"x").unwrap_err();
+        assert_eq!(error.to_string(), format!("cannot write `{}`: {system}", path.display()));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_result_can_be_read_by_whom_any_file_can() {
+        use std::os::unix::fs::PermissionsExt;
+        let place = tempfile::tempdir().unwrap();
+        let (ours, other) = (place.path().join("ours"), place.path().join("other"));
+        write_whole(&ours, b"x").unwrap();
+        std::fs::write(&other, b"x").unwrap();
+        let mode = |path| std::fs::metadata(path).unwrap().permissions().mode();
+        assert_eq!(mode(ours), mode(other));
     }
 
     #[test]

@@ -75,11 +75,13 @@ pub fn one_line(error: &clap::Error) -> String {
     let hint = suggestion.map_or_else(String::new, |text| format!("; did you mean `{text}`?"));
     match error.kind() {
         ErrorKind::InvalidValue => {
-            let accepted = get(ContextKind::ValidValue).unwrap_or_default();
+            let accepted = get(ContextKind::ValidValue)
+                .filter(|list| !list.is_empty())
+                .map_or_else(String::new, |list| format!("; accepted: {list}"));
             if value.is_empty() {
-                format!("error: {argument} needs a value; accepted: {accepted}")
+                format!("error: {argument} needs a value{accepted}")
             } else {
-                format!("error: {argument}: `{value}` is not accepted{hint}; accepted: {accepted}")
+                format!("error: {argument}: `{value}` is not accepted{hint}{accepted}")
             }
         }
         ErrorKind::UnknownArgument => {

@@ -3,7 +3,7 @@
 //! A certificate states the scheme, the polynomial that decides, a cover of all waves by intervals with
 //! the signs of the Bernstein coefficients above each, and a wave that grows just above the limit.
 //! [`verify`] recomputes all of it from the names alone, by plain means and with code of its own;
-//! `docs/verify_certificate.py` does the same in another language.
+//! `docs/verify_certificate.py` and `docs/verify_coefficients.py` do the same in another language.
 
 mod number;
 mod prove;

@@ -71,17 +71,22 @@ fn growth_budgets_are_certified() {
     }
 }
 
-/// Changes one place of a certificate at a time: every number up by one, every text and flag to another,
-/// every list shortened and every entry removed.
+/// Changes one place of a certificate at a time: every number up and down by one and to its negative,
+/// every text and flag to another, every list shortened and every entry removed.
 fn mutations(value: &Value) -> Vec<Value> {
     let mut all = Vec::new();
     match value {
         Value::Null => all.push(Value::from("1")),
         Value::Bool(flag) => all.push(Value::from(!flag)),
-        Value::Number(number) => all.push(Value::from(number.as_i64().unwrap() + 1)),
+        Value::Number(number) => {
+            let number = number.as_i64().unwrap();
+            all.extend([Value::from(number + 1), Value::from(number - 1)]);
+        }
         Value::String(text) => match Exact::read(text) {
             Some(Exact(number)) => {
-                all.push(serde_json::to_value(Exact(number + integer(1))).unwrap());
+                for other in [&number + integer(1), &number - integer(1), -number] {
+                    all.push(serde_json::to_value(Exact(other)).unwrap());
+                }
                 all.push(Value::from("0/0"));
             }
             None => {
@@ -172,6 +177,21 @@ fn every_interval_of_a_disconnected_set_has_its_certificate() {
     }
     let Proof::Stability(second) = &certificates[1].proof else { panic!("a stability proof") };
     assert!(second.below.is_some() && second.from.0 == integer(2));
+}
+
+#[test]
+fn waves_neutral_at_every_courant_number_are_taken_out_and_certified() {
+    // g = 1 − C s (1 − 2s)², so 1 − g² = s (s − 1/2)² C (8 − 16 C s (s − 1/2)²): stable while the last
+    // bracket is not negative, that is up to C = 2.
+    let s = Stencil::new(-1, vec![ratio(-1, 4), ratio(1, 2), ratio(-1, 4)]);
+    let neutral = Stencil::term(0, integer(1)) - s.clone() * Stencil::term(0, integer(2));
+    let damped = s * neutral.clone() * neutral;
+    let symbol = EnclosedSymbol::exact(Symbol::identity() - Symbol::courant_power(1, damped));
+    let certificates = certify_stability(&symbol, None, &integer(0), &integer(10)).unwrap();
+    let Proof::Stability(proof) = &certificates[0].proof else { panic!("a stability proof") };
+    assert_eq!(proof.margin.neutral_waves, [ratio(-1, 2).into(), integer(1).into()]);
+    let statement = verify(&certificates[0]).unwrap().statement;
+    assert!(statement.ends_with("up to C = 2 and not just above"), "{statement}");
 }
 
 #[test]

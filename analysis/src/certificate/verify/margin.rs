@@ -69,7 +69,11 @@ pub(super) fn check_margin(
         factor = product(&factor, &[Rational::one(), -Rational::one()]);
     }
     let neutral = values(&margin.neutral_waves);
-    ensure(neutral.iter().any(|value| !value.is_zero()), "H is zero")?;
+    // H and −H have the same square; one spelling is enough.
+    ensure(
+        neutral.last().is_some_and(Signed::is_positive),
+        "H is zero or its leading coefficient is not positive",
+    )?;
     factor = product(&product(&factor, &neutral), &neutral);
     let mut stated = vec![Vec::new(); margin.courant_power];
     for (j, row) in margin.coefficients.iter().enumerate() {

@@ -1,0 +1,66 @@
+//! The ends of a limit in `t = C^stride`, and the numbers just beyond them.
+
+use super::super::{CertifiedLimit, Exact};
+use crate::limit::{ExactValue, Limit};
+use crate::rational::{Rational, from_f64, integer, to_text};
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+
+/// How far above the limit instability is shown, relative: powers of one half, the widest that works.
+pub(super) const ABOVE: [i32; 6] = [20, 26, 32, 38, 44, 50];
+
+/// The ends of a limit in `t = C^stride`: equal when it is exact.
+pub(super) fn ends(
+    limit: &Limit,
+    stride: usize,
+    max_courant: &Rational,
+) -> (Rational, Option<Rational>) {
+    if limit.upper().is_infinite() {
+        return (power(max_courant, stride), None);
+    }
+    match limit.exact() {
+        Some(exact) => (parameter(exact, stride), Some(parameter(exact, stride))),
+        None => {
+            let end = |value: f64| power(&exactly(value), stride);
+            (end(limit.lower()), Some(end(limit.upper())))
+        }
+    }
+}
+
+pub(super) fn parameter(exact: &ExactValue, stride: usize) -> Rational {
+    match exact {
+        ExactValue::Fraction(value) => power(value, stride),
+        // Square roots occur where only even powers of C do.
+        ExactValue::SquareRoot(square) => square.clone(),
+    }
+}
+
+pub(super) fn power(value: &Rational, stride: usize) -> Rational {
+    value.pow(stride as i32)
+}
+
+pub(super) fn exactly(value: f64) -> Rational {
+    from_f64(value).expect("an end that is not exact is finite")
+}
+
+/// Numbers above the limit, from far to near.
+pub(super) fn above(limit: &Rational, max_courant: &Rational) -> impl Iterator<Item = Rational> {
+    let scale = if limit.is_zero() { max_courant.clone().min(integer(1)) } else { limit.clone() };
+    let limit = limit.clone();
+    ABOVE
+        .into_iter()
+        .map(move |bits| &limit + &scale * Rational::new(BigInt::one(), BigInt::one() << bits))
+}
+
+pub(super) fn certified_limit(
+    limit: &Limit,
+    lower: Rational,
+    upper: Option<Rational>,
+) -> CertifiedLimit {
+    let exact = upper.as_ref().is_some_and(|upper| *upper == lower);
+    let courant_number = limit.exact().filter(|_| exact).map(|exact| match exact {
+        ExactValue::Fraction(value) => to_text(value),
+        ExactValue::SquareRoot(square) => format!("sqrt({})", to_text(square)),
+    });
+    CertifiedLimit { lower: lower.into(), upper: upper.map(Exact), courant_number }
+}
