@@ -195,6 +195,23 @@ fn waves_neutral_at_every_courant_number_are_taken_out_and_certified() {
 }
 
 #[test]
+fn a_fraction_that_an_interior_wave_sets_is_certified_as_an_enclosure() {
+    // g = 1 − C (2 − (2s² − 1)²): damped until C = 1, where the wave s = √(1/2) has g = −1.
+    let s = Stencil::new(-1, vec![ratio(-1, 4), ratio(1, 2), ratio(-1, 4)]);
+    let square = s.clone() * s;
+    let fourth = square.clone() * square.clone();
+    let times = |value: i64| Stencil::term(0, integer(value));
+    let damping = times(1) + square * times(4) + fourth * times(-4);
+    let symbol = EnclosedSymbol::exact(Symbol::identity() - Symbol::courant_power(1, damping));
+    let limit = crate::limit::stability_limit(&symbol, &integer(9));
+    assert_eq!(limit.exact().unwrap().to_string(), "1");
+    assert_eq!(limit.cause(), Some(crate::limit::Cause::Interior));
+    let certificates = certify_stability(&symbol, None, &integer(0), &integer(9)).unwrap();
+    let verified = verify(&certificates[0]).unwrap();
+    assert!(verified.statement.contains("0.999999"), "{}", verified.statement);
+}
+
+#[test]
 fn a_wrong_limit_cannot_be_certified() {
     // The published 1.90 instead of 15/8, with boxes that look the part.
     let scheme = scheme(GodunovSph, Kernel::CubicSpline, integer(2));

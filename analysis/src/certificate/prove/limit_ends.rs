@@ -1,7 +1,7 @@
 //! The ends of a limit in `t = C^stride`, and the numbers just beyond them.
 
 use super::super::{CertifiedLimit, Exact};
-use crate::limit::{ExactValue, Limit};
+use crate::limit::{Cause, ExactValue, Limit};
 use crate::rational::{Rational, from_f64, integer, to_text};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -18,13 +18,29 @@ pub(super) fn ends(
     if limit.upper().is_infinite() {
         return (power(max_courant, stride), None);
     }
-    match limit.exact() {
+    match closed_form(limit) {
         Some(exact) => (parameter(exact, stride), Some(parameter(exact, stride))),
         None => {
             let end = |value: f64| power(&exactly(value), stride);
-            (end(limit.lower()), Some(end(limit.upper())))
+            (end(just_below(limit)), Some(end(just_above(limit))))
         }
     }
+}
+
+/// The closed form of a limit that boxes can reach. Where a wave between the ends of the phase range binds, the margin has a double
+/// zero at the limit, and boxes come as near as one likes, but not there.
+pub(super) fn closed_form(limit: &Limit) -> Option<&ExactValue> {
+    limit.exact().filter(|_| limit.cause() != Some(Cause::Interior))
+}
+
+/// A number below the limit, the lower end of its enclosure.
+pub(super) fn just_below(limit: &Limit) -> f64 {
+    if limit.exact().is_some() { limit.lower().next_down() } else { limit.lower() }
+}
+
+/// A number above the limit, the upper end of its enclosure.
+pub(super) fn just_above(limit: &Limit) -> f64 {
+    if limit.exact().is_some() { limit.upper().next_up() } else { limit.upper() }
 }
 
 pub(super) fn parameter(exact: &ExactValue, stride: usize) -> Rational {

@@ -3,7 +3,9 @@
 use super::super::{
     Certificate, CertifiedBox, CertifiedPiece, Exact, FactoredMargin, Proof, StabilityProof,
 };
-use super::limit_ends::{certified_limit, ends, exactly, parameter, power};
+use super::limit_ends::{
+    certified_limit, closed_form, ends, exactly, just_above, parameter, power,
+};
 use super::statement::certificate;
 use super::{CertificationError, MAX_BOXES};
 use crate::bernstein::{MarginForm, SignedBox, exact_cover};
@@ -72,10 +74,10 @@ impl StabilityProver<'_> {
         max_courant: &Rational,
     ) -> Result<StabilityProof, CertificationError> {
         let stride = self.margin.stride();
-        let from = match interval.from.exact() {
+        let from = match closed_form(&interval.from) {
             Some(exact) => parameter(exact, stride),
             // Inside the interval: its beginning is enclosed, not known.
-            None => power(&exactly(interval.from.upper()), stride),
+            None => power(&exactly(just_above(&interval.from)), stride),
         };
         let (lower, upper) = ends(&interval.to, stride, max_courant);
         let pieces = self.pieces(&from, &lower)?;

@@ -1,7 +1,7 @@
 //! Waves that grow: just above a limit, and just below the beginning of a stable interval.
 
 use super::super::{GrowingWave, UnstableClaim};
-use super::limit_ends::{ABOVE, above, exactly, power};
+use super::limit_ends::{ABOVE, above, closed_form, exactly, just_above, just_below, power};
 use super::stability::StabilityProver;
 use super::{CertificationError, MAX_BOXES};
 use crate::bernstein::{Sign, is_negative_between};
@@ -23,9 +23,9 @@ impl StabilityProver<'_> {
         let courant_number = if upper.is_zero() {
             Rational::zero()
         } else {
-            match limit.exact().and_then(ExactValue::as_fraction) {
+            match closed_form(limit).and_then(ExactValue::as_fraction) {
                 Some(exact) => exact.clone(),
-                None => exactly(limit.upper()),
+                None => exactly(just_above(limit)),
             }
         };
         for witness in above(&courant_number, max_courant) {
@@ -68,7 +68,7 @@ impl StabilityProver<'_> {
         if from.is_zero() {
             return Ok(None);
         }
-        let courant_number = exactly(begin.lower());
+        let courant_number = exactly(just_below(begin));
         for bits in ABOVE {
             let witness = &courant_number
                 - &courant_number * Rational::new(BigInt::one(), BigInt::one() << bits);

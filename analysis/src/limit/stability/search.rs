@@ -1,7 +1,7 @@
 //! The walk along the Courant numbers: stable stretch, edge, unstable stretch, edge, …
 
 use super::edge::Edge;
-use super::{MAX_BOXES, StableInterval, StableSet, phase_parameter};
+use super::{DEFAULT_BITS, MAX_BOXES, StableInterval, StableSet, phase_parameter};
 use crate::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::limit::critical::{UnstableInterval, refine, resolving_phases, sampled_unstable_set};
 use crate::limit::critical_polynomial::CriticalPolynomials;
@@ -11,6 +11,7 @@ use crate::margin::{CompiledMargin, Margin};
 use crate::polynomial::Polynomial;
 use crate::rational::{Rational, integer, simplest_between, to_f64};
 use crate::real_roots::{power_of_two, real_roots};
+use num_bigint::BigInt;
 use num_traits::Zero;
 use std::cell::OnceCell;
 
@@ -77,7 +78,7 @@ impl<'a> Search<'a> {
         let end = max_courant.pow(margin.stride() as i32);
         let guesses =
             sampled_unstable_set(&compiled, resolving_phases(margin.degree()), to_f64(&end));
-        let bits = bits.max(4);
+        let bits = bits.max(4).min(justified_bits(margin).max(DEFAULT_BITS));
         Self {
             margin,
             form: MarginForm::new(margin).resolving(bits),
@@ -479,6 +480,17 @@ impl<'a> Search<'a> {
             })
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map_or(0.0, |(phase, _)| phase)
+    }
+}
+
+/// How many bits the data settle: their size over their uncertainty.
+fn justified_bits(margin: &Margin) -> u32 {
+    let largest = |values: &mut dyn Iterator<Item = &BigInt>| values.map(BigInt::bits).max();
+    let radius = largest(&mut margin.integer_radius().iter()).unwrap_or(0);
+    let size = margin.integer_series().iter().flat_map(|series| series.coefficients());
+    match (radius, largest(&mut size.into_iter())) {
+        (0, _) | (_, None) => u32::MAX,
+        (radius, Some(size)) => u32::try_from(size.saturating_sub(radius)).unwrap_or(u32::MAX),
     }
 }
 
