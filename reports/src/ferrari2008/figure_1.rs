@@ -97,7 +97,7 @@ fn without_strict_limit(map: &StabilityMap) -> String {
         .collect();
     let [least, most] = growth.map(|growth| significant(growth, 2));
     format!(
-        " {} with the kernel {} has no strictly stable Courant number at the ratios {} of the grid; at the grid's last C up to l/Δξ \
+        " {} ({}) has no strictly stable Courant number at the ratios {} of the grid; at the grid's last C up to l/Δξ \
          it grows there by {least} to {most} per step, with shorter steps about as C².",
         map.plan.scheme.title(),
         map.plan.kernel.title(),
