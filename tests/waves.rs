@@ -192,7 +192,7 @@ fn the_lists_name_integrators_and_wave_methods() {
     for method in ["sph", "sph-av", "gph"] {
         assert!(names("methods").contains(&method.to_owned()));
     }
-    assert!(names("figures").contains(&"figure_5".to_owned()));
+    assert!(names("figures").contains(&"figure_05".to_owned()));
 }
 
 #[test]
@@ -203,12 +203,22 @@ fn the_report_is_written_whole() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     for file in [
         "index.html",
-        "figure_2.png",
-        "figure_3.svg",
-        "figure_4.csv",
-        "figure_5.png",
+        "figure_02.png",
+        "figure_03.svg",
+        "figure_04.csv",
+        "figure_05.png",
         "integrator_table.csv",
     ] {
         assert!(place.path().join(file).exists(), "{file}");
     }
+    // Whatever fonts the reader's LaTeX has.
+    let mut tables = 0;
+    for entry in std::fs::read_dir(place.path()).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|end| end == "tex") {
+            tables += 1;
+            assert!(std::fs::read(&path).unwrap().is_ascii(), "{}", path.display());
+        }
+    }
+    assert!(tables >= 10, "{tables}");
 }

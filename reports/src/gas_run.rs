@@ -1,6 +1,6 @@
 //! A run of gas dynamics as files: profile, picture, record.
 
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Note, Panel};
+use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::finite;
 use crate::run_record::{ConservationRecord, ErrorNorms, RunRecord};
 use courant_simulation::comparison::Comparison;
@@ -159,7 +159,8 @@ fn exact_values(scene: &dyn Scene, x: f64, time: f64) -> [f64; 4] {
 const EXACT_POINTS: usize = 2000;
 
 /// The four panels of the figures of Ferrari et al. 2008, section 3: density, velocity, pressure and
-/// specific internal energy in the domain; the exact solution as a line, the run as symbols.
+/// specific internal energy in the domain; the exact solution as a line, the run as symbols. The title of a run that
+/// failed says so: a text among the points would be struck through by them.
 pub fn figure(scene: &dyn Scene, run: &Run, title: &str) -> Figure {
     let [from, to] = scene.domain();
     let x: Vec<f64> =
@@ -174,6 +175,10 @@ pub fn figure(scene: &dyn Scene, run: &Run, title: &str) -> Figure {
     ];
     let size = if profile.len() > 250 { 2.2 } else { 3.0 };
     let symbols = if run.particle_mass.is_some() { "particles" } else { "cells" };
+    let title = match run.failure {
+        Some(_) => format!("{title}: failed"),
+        None => title.to_owned(),
+    };
     let mut figure = Figure::grid(2, 2).size(7.0, 5.4).title(title).legend_below();
     for (index, (title, label, column)) in columns.into_iter().enumerate() {
         let line = x.iter().zip(&exact).map(|(&x, values)| (x, values[index]));
@@ -183,7 +188,7 @@ pub fn figure(scene: &dyn Scene, run: &Run, title: &str) -> Figure {
             .map(|i| (profile.x[i], column[i]))
             .filter(|point| point.1.is_finite())
             .collect();
-        let mut panel = Panel::new(Axis::linear("x").range(from, to), Axis::linear(label))
+        let panel = Panel::new(Axis::linear("x").range(from, to), Axis::linear(label))
             .title(title)
             .layer(Line::new(line).width(0.9).label("exact"))
             .layer(
@@ -194,13 +199,6 @@ pub fn figure(scene: &dyn Scene, run: &Run, title: &str) -> Figure {
                     .width(0.6)
                     .label(symbols),
             );
-        if let (Some(failure), 0) = (run.failure, index) {
-            let middle = 0.5 * (from + to);
-            let height = exact.iter().map(|values| values[0]).fold(0.0, f64::max);
-            let text = format!("failed at t = {:.4}", failure.time);
-            panel = panel
-                .layer(Note::new(middle, 0.5 * height, text).color(Color::VERMILION).size(9.0));
-        }
         figure = figure.panel(panel);
     }
     figure
@@ -225,6 +223,8 @@ mod tests {
         assert!(!record.completed && record.failure.is_some());
         assert_eq!(record.l1, ErrorNorms::default());
         assert!(record.time < 0.012);
+        let svg = figure(&tube, &run, "a tube").svg().expect("it is drawn");
+        assert!(svg.contains("a tube: failed"));
     }
 
     #[test]

@@ -10,6 +10,7 @@ pub mod cha_whitworth2003;
 pub mod ferrari2008;
 pub mod figure;
 pub mod gas_run;
+pub mod latex;
 mod markup;
 pub mod npy;
 pub mod number;

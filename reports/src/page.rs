@@ -71,20 +71,34 @@ th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid #e2e2e2}th{bor
 .number{text-align:right}img{max-width:100%;height:auto}figure{margin:1rem 0}\
 figcaption,.caption{color:#333}code{background:#f3f3f3;padding:.1rem .3rem;border-radius:3px}.files{font-size:.9rem;color:#555}";
 
-impl Page {
-    /// Writes every table and figure and the two index pages; returns how many files there are.
-    ///
-    /// The index pages come last, so that they never name a file that is not there.
+/// Takes the sections of a report one by one, as they are finished.
+pub type Publish<'a> = dyn FnMut(Section) -> Result<(), PageError> + 'a;
+
+/// A page written while it is made: who interrupts the work keeps the files of every finished section.
+#[derive(Debug)]
+pub struct PageWriter<'a> {
+    output: &'a OutputDirectory,
+    page: Page,
+    files: usize,
+}
+
+impl<'a> PageWriter<'a> {
+    /// A page without sections; nothing is written yet.
+    pub fn new(output: &'a OutputDirectory, title: impl Into<String>) -> Self {
+        Self { output, page: Page { title: title.into(), sections: Vec::new() }, files: 0 }
+    }
+
+    /// Writes the tables and figures of the next section, each file whole.
     ///
     /// # Errors
     /// When a figure cannot be drawn or a file cannot be written.
-    pub fn write(&self, output: &OutputDirectory) -> Result<usize, PageError> {
-        let mut files = 0;
+    pub fn add(&mut self, section: Section) -> Result<(), PageError> {
+        let (output, files) = (self.output, &mut self.files);
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), PublishError> {
-            files += 1;
+            *files += 1;
             output.write(name, bytes).map(drop)
         };
-        for item in self.sections.iter().flat_map(|section| &section.items) {
+        for item in &section.items {
             match item {
                 Item::Paragraph(_) => {}
                 Item::Table { name, table, .. } => {
@@ -101,11 +115,23 @@ impl Page {
                 }
             }
         }
-        write("index.md", self.to_markdown().as_bytes())?;
-        write("index.html", self.to_html().as_bytes())?;
-        Ok(files)
+        self.page.sections.push(section);
+        Ok(())
     }
 
+    /// Writes the two index pages and returns how many files there are. They come last, so that they never name a
+    /// file that is not there.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn finish(self) -> Result<usize, PageError> {
+        self.output.write("index.md", self.page.to_markdown().as_bytes())?;
+        self.output.write("index.html", self.page.to_html().as_bytes())?;
+        Ok(self.files + 2)
+    }
+}
+
+impl Page {
     /// The page as Markdown.
     pub fn to_markdown(&self) -> String {
         let mut text = format!("# {}\n", self.title);
@@ -194,25 +220,32 @@ mod tests {
         table.push(["x < y"]);
         let panel = Panel::new(Axis::linear("x"), Axis::linear("y"))
             .layer(Line::new([(0.0, 0.0), (1.0, 1.0)]));
-        let page = Page {
-            title: "A & B".into(),
-            sections: vec![Section {
-                title: "S".into(),
-                items: vec![
-                    Item::Paragraph("text".into()),
-                    Item::Table { name: "t".into(), table, command: "courant x".into() },
-                    Item::Figure {
-                        name: "f".into(),
-                        figure: Box::new(Figure::single(panel)),
-                        caption: "c".into(),
-                        data: vec![("f.csv".into(), b"1\n".to_vec())],
-                        command: "courant y".into(),
-                    },
-                ],
-            }],
+        let section = Section {
+            title: "S".into(),
+            items: vec![
+                Item::Paragraph("text".into()),
+                Item::Table { name: "t".into(), table, command: "courant x".into() },
+                Item::Figure {
+                    name: "f".into(),
+                    figure: Box::new(Figure::single(panel)),
+                    caption: "c".into(),
+                    data: vec![("f.csv".into(), b"1\n".to_vec())],
+                    command: "courant y".into(),
+                },
+            ],
         };
         let place = tempfile::tempdir().unwrap();
-        let count = page.write(&OutputDirectory::open(place.path()).unwrap()).unwrap();
+        let output = OutputDirectory::open(place.path()).unwrap();
+        let mut page = PageWriter::new(&output, "A & B");
+        page.add(section).unwrap();
+        // Who stops here has the files of the section, and no page that lacks any.
+        let mut files: Vec<String> = std::fs::read_dir(place.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        files.sort();
+        assert_eq!(files, ["f.csv", "f.png", "f.svg", "t.csv", "t.md", "t.tex"]);
+        let count = page.finish().unwrap();
         assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), count);
         let html = std::fs::read_to_string(place.path().join("index.html")).unwrap();
         assert!(html.contains("A &amp; B") && html.contains("x &lt; y"));

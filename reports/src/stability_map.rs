@@ -6,7 +6,7 @@ use crate::figure::{
 };
 use crate::npy;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::{monotonicity_limit, stable_set};
+use courant_analysis::limit::{Evidence, monotonicity_limit, stable_set};
 use courant_analysis::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant_analysis::sweep::{GainMap, Progress, SweepError, gain_map};
@@ -42,16 +42,18 @@ pub struct MapPlan {
 /// A limit curve point: the ratio and the Courant number.
 pub type CurvePoint = (f64, f64);
 
-/// A computed map with its proved limit curves.
+/// A computed map with its limit curves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StabilityMap {
     /// What was mapped.
     pub plan: MapPlan,
     /// The extreme gains.
     pub gains: GainMap,
-    /// The proved stability limit over the ratio.
+    /// How the limits are known: proved, or enclosed where the kernel's weights are.
+    pub evidence: Evidence,
+    /// The stability limit over the ratio.
     pub stability: Vec<CurvePoint>,
-    /// The proved limit for a growth of 1e-3 per step.
+    /// The limit for a growth of 1e-3 per step.
     pub growth: Vec<CurvePoint>,
     /// The monotonicity limit over the ratio; empty when there is no positive one.
     pub monotonicity: Vec<CurvePoint>,
@@ -73,21 +75,26 @@ pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityM
         .map(|l| {
             let symbol = Discretisation::new(plan.scheme, plan.kernel, l.clone())?.symbol();
             let range = search_range(l);
-            let at = |growth: &Rational| {
-                (to_f64(l), stable_set(&symbol, growth, &range).limit().value())
-            };
-            let monotonicity = (to_f64(l), monotonicity_limit(&symbol, &range).value());
-            Ok((at(&Rational::zero()), at(&budget), monotonicity))
+            let at = |growth: &Rational| stable_set(&symbol, growth, &range).limit();
+            let (strict, within) = (at(&Rational::zero()), at(&budget).value());
+            let monotonicity = monotonicity_limit(&symbol, &range).value();
+            let curves = [strict.value(), within, monotonicity].map(|limit| (to_f64(l), limit));
+            Ok((strict.evidence(), curves))
         })
         .collect();
     let limits = limits?;
-    let monotonicity: Vec<CurvePoint> = limits.iter().map(|row| row.2).collect();
+    let curve = |which: usize| -> Vec<CurvePoint> {
+        limits.iter().map(|(_, curves)| curves[which]).collect()
+    };
+    let monotonicity = curve(2);
     let has_monotonicity = monotonicity.iter().any(|point| point.1 > 0.0);
     Ok(StabilityMap {
         plan,
         gains,
-        stability: limits.iter().map(|row| row.0).collect(),
-        growth: limits.iter().map(|row| row.1).collect(),
+        // Of one kernel all are known in the same way.
+        evidence: limits.first().map_or(Evidence::Proved, |(evidence, _)| *evidence),
+        stability: curve(0),
+        growth: curve(1),
         monotonicity: if has_monotonicity { monotonicity } else { Vec::new() },
     })
 }
@@ -145,19 +152,26 @@ impl StabilityMap {
                     .label("growth 10⁻³ per step"),
             );
         }
-        panel = panel.layer(
-            Line::new(self.stability.iter().copied())
-                .color(Color::BLACK)
-                .width(1.8)
-                .label("stability limit, proved"),
-        );
+        for stretch in stretches(&self.stability) {
+            let limit = match stretch {
+                // A line of one point has no length.
+                [point] => {
+                    panel = panel.layer(
+                        Markers::new([*point], Marker::Square).color(Color::BLACK).size(1.8),
+                    );
+                    continue;
+                }
+                points => Line::new(points.iter().copied()),
+            };
+            panel = panel.layer(limit.color(Color::BLACK).width(1.8).label("stability limit"));
+        }
         if !self.monotonicity.is_empty() {
             panel = panel.layer(
                 Line::new(self.monotonicity.iter().copied())
                     .color(Color::YELLOW)
                     .width(1.6)
                     .dash(Dash::nth(2))
-                    .label("monotonicity limit, proved"),
+                    .label("monotonicity limit"),
             );
         }
         for (limit, marker, label) in [
@@ -174,6 +188,30 @@ impl StabilityMap {
         Ok(panel)
     }
 
+    /// The stretches of ratios without any strictly stable Courant number: first and last ratio of each on the grid.
+    pub fn never_strictly_stable(&self) -> Vec<[f64; 2]> {
+        stretches(&self.stability)
+            .filter(|stretch| stretch[0].1 <= 0.0)
+            .map(|stretch| [stretch[0].0, stretch[stretch.len() - 1].0])
+            .collect()
+    }
+
+    /// The least and the largest growth per step at the largest Courant number of the grid up to `l/Δξ`, over the
+    /// ratios without a strictly stable one; `None` when there are none.
+    pub fn growth_without_limit(&self) -> Option<[f64; 2]> {
+        let courant_numbers: Vec<f64> = self.plan.courant_numbers.iter().map(to_f64).collect();
+        let growths = self.stability.iter().enumerate().filter(|(_, point)| point.1 <= 0.0).map(
+            |(i, &(l, _))| {
+                let up_to = courant_numbers.partition_point(|c| *c <= l);
+                self.gains.growth[[i, up_to.saturating_sub(1)]]
+            },
+        );
+        let ends = growths.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], growth| {
+            [low.min(growth), high.max(growth)]
+        });
+        (ends[0] <= ends[1]).then_some(ends)
+    }
+
     /// Whether the budget's limit is anywhere visibly above the strict one.
     fn differs_from_budget(&self) -> bool {
         self.stability.iter().zip(&self.growth).any(|(strict, budget)| budget.1 > strict.1 * 1.02)
@@ -184,7 +222,12 @@ impl StabilityMap {
     /// # Errors
     /// When the axes have too few points to draw.
     pub fn figure(&self) -> Result<Figure, FigureError> {
-        let title = format!("{}, {}", self.plan.scheme.title(), self.plan.kernel.title());
+        let title = format!(
+            "{}, {}; limits {}",
+            self.plan.scheme.title(),
+            self.plan.kernel.title(),
+            self.evidence.name()
+        );
         let panel = self.panel(&title, &[])?.legend(Corner::TopLeft);
         Ok(Figure::single(panel)
             .size(5.2, 4.0)
@@ -240,9 +283,13 @@ impl StabilityMap {
     }
 }
 
+/// The stretches of a limit curve: it is not joined where the limit jumps to zero or from there.
+fn stretches(curve: &[CurvePoint]) -> impl Iterator<Item = &[CurvePoint]> {
+    curve.chunk_by(|a, b| (a.1 > 0.0) == (b.1 > 0.0))
+}
+
 /// What the colour bar says.
-pub const COLOR_BAR_LABEL: &str =
-    "|g| of the most damped wave where stable (≤ 1), of the fastest growing one where not (> 1)";
+pub const COLOR_BAR_LABEL: &str = "|g| of the most damped (blue) or fastest growing wave (red)";
 
 /// The bands of the colour bar.
 ///
@@ -268,4 +315,30 @@ pub struct PublishedPoint {
     pub limit: PublishedLimit,
     /// The ratio and the Courant number.
     pub point: CurvePoint,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use courant_analysis::rational::integer;
+    use courant_analysis::sweep::no_progress;
+
+    #[test]
+    fn the_limit_curve_breaks_where_nothing_is_strictly_stable() {
+        let curve = [(1.0, 1.1), (1.5, 1.5), (2.0, 0.0), (2.5, 2.4), (3.0, 0.0), (3.5, 0.0)];
+        let lengths: Vec<usize> = stretches(&curve).map(<[_]>::len).collect();
+        assert_eq!(lengths, [2, 1, 1, 2]);
+        let plan = MapPlan {
+            scheme: AdvectionScheme::LaxWendroffSph,
+            kernel: Kernel::Gaussian,
+            ratios: [2, 3].map(integer).to_vec(),
+            courant_numbers: (0..4).map(integer).collect(),
+        };
+        let map = stability_map(plan, &no_progress).unwrap();
+        assert_eq!(map.evidence, Evidence::Enclosed);
+        assert_eq!(map.never_strictly_stable(), [[3.0, 3.0]]);
+        // The growth at ratio 3 and C = 3, by the grid's own entry.
+        let growth = map.gains.growth[[1, 3]];
+        assert!(growth > 1e-6 && map.growth_without_limit() == Some([growth, growth]));
+    }
 }

@@ -15,6 +15,9 @@ use ndarray::Array2;
 /// Time steps `c Δt/h` are looked at up to this one: no integrator here comes near it from `h = Δ/2` on.
 pub const MAX_STEP: f64 = 8.0;
 
+/// Bands are a tenth wide up to this many: RK4 with the cubic spline reaches 1.75 for `1 ≤ h/Δ ≤ 2`.
+const HIGHEST_TENTHS: u32 = 18;
+
 /// The largest stable `c Δt/h` over `(h, α)` for one integrator; arrays are `[h, α]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepMap {
@@ -51,7 +54,7 @@ impl StepMap {
     /// When the axes have too few points to draw.
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
         let field = Field::new(self.ratios.clone(), self.alphas.clone(), self.steps.clone())?;
-        let levels = [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4];
+        let levels = [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6];
         Ok(Panel::new(
             Axis::linear("smoothing ratio h/Δ").spanning(&self.ratios),
             Axis::linear("viscosity α").spanning(&self.alphas),
@@ -66,17 +69,19 @@ impl StepMap {
     /// # Errors
     /// Never: the edges ascend.
     pub fn bands() -> Result<Bands, FigureError> {
-        let edges = vec![0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.8];
+        let edges = (0..=HIGHEST_TENTHS).map(|tenths| f64::from(tenths) / 10.0).collect();
         Bands::sequential(edges, ColorMap::Viridis)
             .map(|bands| bands.extend_above(ColorMap::Viridis.at(1.0)))
     }
 
-    /// The colour bar.
+    /// The colour bar of all these maps: with a pointed end only when one of them needs it.
     ///
     /// # Errors
     /// Never: the edges ascend.
-    pub fn color_bar() -> Result<ColorBar, FigureError> {
-        Ok(ColorBar::new(Self::bands()?, "largest stable c Δt/h"))
+    pub fn color_bar(maps: &[Self]) -> Result<ColorBar, FigureError> {
+        let bands =
+            Self::bands()?.needed_for(maps.iter().flat_map(|map| map.steps.iter().copied()));
+        Ok(ColorBar::new(bands, "largest stable c Δt/h"))
     }
 
     /// The figure with one panel.
@@ -86,7 +91,7 @@ impl StepMap {
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
         Ok(Figure::single(self.panel(title)?)
             .size(5.2, 4.0)
-            .color_bar(Self::color_bar()?, Side::Right))
+            .color_bar(Self::color_bar(std::slice::from_ref(self))?, Side::Right))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.

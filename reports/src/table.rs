@@ -1,5 +1,6 @@
 //! Tables that can be read in a terminal, in Markdown, in LaTeX and by a spreadsheet.
 
+use crate::latex::latex_text;
 use crate::markup::escaped;
 
 /// How a column is set.
@@ -193,29 +194,6 @@ fn width(text: &str) -> usize {
     text.chars().count()
 }
 
-/// Text with the characters LaTeX reserves escaped and the Greek of this project in mathematics.
-fn latex_text(text: &str) -> String {
-    let mut escaped = String::new();
-    for character in text.chars() {
-        match character {
-            '%' | '&' | '#' | '_' | '$' | '{' | '}' => escaped.extend(['\\', character]),
-            'Δ' => escaped.push_str("$\\Delta$"),
-            'ξ' => escaped.push_str("$\\xi$"),
-            'φ' => escaped.push_str("$\\varphi$"),
-            'π' => escaped.push_str("$\\pi$"),
-            'κ' => escaped.push_str("$\\kappa$"),
-            '≤' => escaped.push_str("$\\le$"),
-            '×' => escaped.push_str("$\\times$"),
-            '∞' => escaped.push_str("$\\infty$"),
-            '–' => escaped.push_str("--"),
-            '—' => escaped.push_str("---"),
-            '²' => escaped.push_str("$^2$"),
-            other => escaped.push(other),
-        }
-    }
-    escaped
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -243,7 +221,7 @@ mod tests {
         assert!(table().to_csv().contains("\"long, name\",−1"));
         let latex = table().to_latex();
         assert!(
-            latex.contains("\\caption{A 5\\% table}") && latex.contains("a|b & $\\frac{15}{8}$")
+            latex.contains("\\caption{A 5\\% table}") && latex.contains("a$|$b & $\\frac{15}{8}$")
         );
         assert!(latex.contains("$\\Delta$"));
         assert!(table().to_html().contains("<td class=\"number\">15/8</td>"));

@@ -187,16 +187,18 @@ impl WaveMap {
         }
     }
 
-    /// The colour bar.
+    /// The colour bar of this map and of others that show the same: with a pointed end only when one of them needs it.
     ///
     /// # Errors
     /// Never: the edges ascend.
-    pub fn color_bar(&self) -> Result<ColorBar, FigureError> {
+    pub fn color_bar(&self, others: &[&Self]) -> Result<ColorBar, FigureError> {
         let label = match self.shown {
             Shown::PhaseError => "phase error |cκ − Re ω|/(cκ)",
             Shown::Amplitude => "amplitude at t = Δ/c",
         };
-        Ok(ColorBar::new(self.bands()?, label))
+        let maps = std::iter::once(self).chain(others.iter().copied());
+        let bands = self.bands()?.needed_for(maps.flat_map(|map| map.values.iter().copied()));
+        Ok(ColorBar::new(bands, label))
     }
 
     /// The figure with one panel.
@@ -206,7 +208,7 @@ impl WaveMap {
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
         Ok(Figure::single(self.panel(title)?)
             .size(5.4, 4.2)
-            .color_bar(self.color_bar()?, Side::Right)
+            .color_bar(self.color_bar(&[])?, Side::Right)
             .legend_below())
     }
 

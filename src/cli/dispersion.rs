@@ -192,7 +192,7 @@ fn waves_of(
                 omega_im: finite(omega.im + 0.0),
                 phase_error: finite(error),
                 amplitude: finite(left),
-                regime: found.regime.name(),
+                regime: found.regime_of(branch).name(),
                 integrator: arguments.integrator.map(Integrator::name),
                 cfl: arguments.cfl.as_ref().map(to_f64),
                 reason,

@@ -2,6 +2,7 @@
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use courant::analysis::dispersion::NoSchemeRuns;
+use courant::reports::ferrari2008::ReportError;
 use courant::reports::figure::FigureError;
 use courant::reports::page::PageError;
 use courant::reports::publish::PublishError;
@@ -50,6 +51,15 @@ impl From<PageError> for Failure {
         match error {
             PageError::Publish(error) => error.into(),
             PageError::Figure(error) => error.into(),
+        }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::Page(error) => error.into(),
+            other => Self::Message(other.to_string()),
         }
     }
 }

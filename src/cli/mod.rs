@@ -52,7 +52,8 @@ enum Command {
     Run(Box<run::Arguments>),
     /// Predicted against measured, mode by mode; exit code 0 when they agree, 1 when they do not.
     Validate(validate::Arguments),
-    /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
+    /// Regenerate the one-dimensional tables and figures of a paper: index.html, index.md and all data. Not Cha &
+    /// Whitworth's tests in two and three dimensions: Figures 28 to 34, Table 5.
     Report(report::Arguments),
     /// Check a file of certificates; exit code 0 when all hold, 1 when one does not.
     Verify(verify::Arguments),

@@ -6,7 +6,7 @@ use super::{Failure, Outcome};
 use clap::{Args, ValueEnum};
 use courant::reports::cha_whitworth2003;
 use courant::reports::ferrari2008::{self, Detail, Table1};
-use courant::reports::page::{Page, Section};
+use courant::reports::page::PageWriter;
 use courant::reports::publish::OutputDirectory;
 use std::path::PathBuf;
 
@@ -59,26 +59,31 @@ fn report_on_ferrari(output: &OutputDirectory, detail: Detail) -> Result<Outcome
     }
     print(&format!("{text}{}\n\n", wrapped(&table.explanation())))?;
     let bar = Bar::new("Ferrari et al. 2008");
-    let sections = ferrari2008::sections(&table, detail, &|done, all| bar.advance(done, all))
-        .map_err(|error| Failure::Message(error.to_string()))?;
+    let mut page = PageWriter::new(output, "courant: a report on Ferrari et al. 2008");
+    ferrari2008::publish_sections(
+        &table,
+        detail,
+        &|done, all| bar.advance(done, all),
+        &mut |section| page.add(section),
+    )?;
     bar.finish();
-    write_page(output, "courant: a report on Ferrari et al. 2008", sections)
+    finish(page, output)
 }
 
 fn report_on_cha_whitworth(output: &OutputDirectory, detail: Detail) -> Result<Outcome, Failure> {
     let bar = Bar::new("Cha & Whitworth 2003");
-    let sections = cha_whitworth2003::sections(detail, &|done, all| bar.advance(done, all))
-        .map_err(|error| Failure::Message(error.to_string()))?;
+    let mut page = PageWriter::new(output, "courant: a report on Cha & Whitworth 2003");
+    cha_whitworth2003::publish_sections(
+        detail,
+        &|done, all| bar.advance(done, all),
+        &mut |section| page.add(section),
+    )?;
     bar.finish();
-    write_page(output, "courant: a report on Cha & Whitworth 2003", sections)
+    finish(page, output)
 }
 
-fn write_page(
-    output: &OutputDirectory,
-    title: &str,
-    sections: Vec<Section>,
-) -> Result<Outcome, Failure> {
-    let files = Page { title: title.into(), sections }.write(output)?;
+fn finish(page: PageWriter<'_>, output: &OutputDirectory) -> Result<Outcome, Failure> {
+    let files = page.finish()?;
     let index = output.path().join("index.html");
     print(&format!("{files} files written; open {}\n", index.display()))
 }

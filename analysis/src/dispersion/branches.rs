@@ -6,7 +6,7 @@ use num_complex::Complex64;
 /// What the two waves of a mode do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Regime {
-    /// They travel, `Re ω ≠ 0`, and do not grow.
+    /// They travel, `Re ω ≠ 0`, and do not grow. Of a single wave: it does.
     Propagating,
     /// `b² > 4ω0² > 0`: both decay without travelling. Not an instability — Cha & Whitworth 2003 blacken
     /// this region in their Figure 3 and call it unstable.
@@ -65,7 +65,7 @@ pub struct Frequencies {
     pub forward: Complex64,
     /// The wave continuous from `ω = −cκ`.
     pub backward: Complex64,
-    /// What they do.
+    /// What the pair does: growing as soon as one of them grows.
     pub regime: Regime,
 }
 
@@ -149,6 +149,24 @@ impl Frequencies {
         }
     }
 
+    /// What one of the two waves does. It differs from what the pair does where only the other one grows.
+    ///
+    /// ```
+    /// use courant_analysis::dispersion::{Branch, Frequencies, Regime};
+    /// let waves = Frequencies::of(-1.0, 0.5, 0.0);
+    /// assert_eq!(waves.regime_of(Branch::Forward), Regime::Growing);
+    /// assert_eq!(waves.regime_of(Branch::Backward), Regime::OverDamped);
+    /// ```
+    pub fn regime_of(&self, branch: Branch) -> Regime {
+        let omega = self.branch(branch);
+        match self.regime {
+            Regime::Growing if omega.im > 0.0 => Regime::Growing,
+            Regime::Growing if omega.re != 0.0 => Regime::Propagating,
+            Regime::Growing => Regime::OverDamped,
+            other => other,
+        }
+    }
+
     /// The larger growth rate `Im ω` of the two, in units of `c/Δ`.
     pub fn growth_rate(&self) -> f64 {
         self.forward.im.max(self.backward.im)
@@ -174,6 +192,10 @@ mod tests {
                 prop_assert!(waves.forward.re >= waves.backward.re);
                 prop_assert!(waves.forward.im >= waves.backward.im || sigma != 0.0);
                 prop_assert_eq!(waves.regime == Regime::Growing, waves.growth_rate() > 0.0);
+                for branch in Branch::ALL {
+                    let grows = waves.regime_of(branch) == Regime::Growing;
+                    prop_assert_eq!(grows, waves.branch(branch).im > 0.0);
+                }
             }
         }
 

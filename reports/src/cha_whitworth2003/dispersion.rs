@@ -9,7 +9,7 @@ mod step_maps;
 use super::{COMMAND, Detail, ReportError};
 use crate::CatalogueItem;
 use crate::figure::Figure;
-use crate::page::{Item, Section};
+use crate::page::{Item, Publish, Section};
 use courant_analysis::dispersion::{Density, LatticeSums, WaveMethod, WaveScheme};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::rational::{Rational, ratio};
@@ -19,22 +19,22 @@ use std::f64::consts::PI;
 /// What these sections show.
 pub const CATALOGUE: &[CatalogueItem] = &[
     CatalogueItem {
-        name: "figure_2",
+        name: "figure_02",
         description: "phase error of SPH without viscosity over (κ, h)",
         source: "Cha & Whitworth 2003, Figure 2",
     },
     CatalogueItem {
-        name: "figure_3",
+        name: "figure_03",
         description: "phase error of SPH with viscosity, α = 1, over (κ, h)",
         source: "Cha & Whitworth 2003, Figure 3",
     },
     CatalogueItem {
-        name: "figure_4",
+        name: "figure_04",
         description: "amplitude of SPH with viscosity over (κ, α)",
         source: "Cha & Whitworth 2003, Figure 4",
     },
     CatalogueItem {
-        name: "figure_5",
+        name: "figure_05",
         description: "phase error of Godunov particle hydrodynamics over (κ, h), printed and resolved",
         source: "Cha & Whitworth 2003, Figure 5",
     },
@@ -60,37 +60,30 @@ pub const CATALOGUE: &[CatalogueItem] = &[
     },
 ];
 
-/// The sections on waves: Figures 2 to 5, the two Godunov relations, kernels, integrators.
+/// Hands over the sections on waves as they are finished: Figures 2 to 5, the two Godunov relations, kernels,
+/// integrators.
 ///
 /// # Errors
-/// When the callback stops the work, or a figure cannot be composed.
-pub fn dispersion_sections(
+/// When the callback stops the work, a figure cannot be composed or a section cannot be published.
+pub fn publish_sections(
     detail: Detail,
     progress: Progress<'_>,
-) -> Result<Vec<Section>, ReportError> {
-    Ok(vec![
-        Section {
-            title: "Figures 2 to 5: phase and amplitude errors of sound waves".into(),
-            items: error_maps::items(detail, progress)?,
-        },
-        Section {
-            title: "Published against resolved: the relation of Godunov particle hydrodynamics"
-                .into(),
-            items: godunov_forms::items()?,
-        },
-        Section {
-            title: "Waves by kernel: speed and damping".into(),
-            items: vec![kernel_curves::item()?],
-        },
-        Section {
-            title: "Stable time steps by integrator".into(),
-            items: integrator_table::items()?,
-        },
-        Section {
-            title: "Stable time steps over the (h, α) plane".into(),
-            items: vec![step_maps::item(detail, progress)?],
-        },
-    ])
+    publish: &mut Publish<'_>,
+) -> Result<(), ReportError> {
+    let mut section = |title: &str, items: Vec<Item>| -> Result<(), ReportError> {
+        Ok(publish(Section { title: title.into(), items })?)
+    };
+    section(
+        "Figures 2 to 5: phase and amplitude errors of sound waves",
+        error_maps::items(detail, progress)?,
+    )?;
+    section(
+        "Published against resolved: the relation of Godunov particle hydrodynamics",
+        godunov_forms::items()?,
+    )?;
+    section("Waves by kernel: speed and damping", vec![kernel_curves::item()?])?;
+    section("Stable time steps by integrator", integrator_table::items()?)?;
+    section("Stable time steps over the (h, α) plane", vec![step_maps::item(detail, progress)?])
 }
 
 /// `h/Δ = 6/5`: inside the range of the paper, where its own runs are.
@@ -121,7 +114,12 @@ mod tests {
 
     #[test]
     fn the_sections_show_what_the_catalogue_names_with_the_true_numbers() {
-        let sections = dispersion_sections(Detail::Quick, &no_progress).unwrap();
+        let mut sections = Vec::new();
+        let mut keep = |section| {
+            sections.push(section);
+            Ok(())
+        };
+        publish_sections(Detail::Quick, &no_progress, &mut keep).unwrap();
         let items: Vec<&Item> = sections.iter().flat_map(|section| &section.items).collect();
         let named = |wanted: &str| {
             items.iter().find(|item| match item {
@@ -133,7 +131,7 @@ mod tests {
             assert!(named(entry.name).is_some(), "{} is missing", entry.name);
         }
         // The speed of long waves with the cubic spline, from the lattice sums by hand.
-        let Some(Item::Figure { caption, .. }) = named("figure_2") else { panic!("no Figure 2") };
+        let Some(Item::Figure { caption, .. }) = named("figure_02") else { panic!("no Figure 2") };
         for error in ["+6.4 %", "+7.9 %", "-4.3 %", "-22.2 %"] {
             assert!(caption.contains(error), "{caption}");
         }

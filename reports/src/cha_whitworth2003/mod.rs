@@ -6,18 +6,21 @@ pub mod particle_tests;
 
 pub use crate::ferrari2008::{Detail, ReportError};
 
-use crate::page::Section;
+use crate::page::Publish;
 use courant_analysis::sweep::Progress;
 
 /// The command that makes this report.
 pub const COMMAND: &str = "courant report cha-whitworth2003";
 
-/// The sections of the report, in the order of the paper.
+/// Hands over the sections of the report as they are finished.
 ///
 /// # Errors
-/// When the callback stops the work, or a figure cannot be composed.
-pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, ReportError> {
-    let mut sections = dispersion::dispersion_sections(detail, progress)?;
-    sections.extend(particle_tests::sections(detail, progress)?);
-    Ok(sections)
+/// When the callback stops the work, a figure cannot be composed or a section cannot be published.
+pub fn publish_sections(
+    detail: Detail,
+    progress: Progress<'_>,
+    publish: &mut Publish<'_>,
+) -> Result<(), ReportError> {
+    dispersion::publish_sections(detail, progress, publish)?;
+    particle_tests::publish_sections(detail, progress, publish)
 }

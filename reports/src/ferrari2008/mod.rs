@@ -11,7 +11,7 @@ pub use figure_1::{figure_1, figure_1_plan};
 pub use table_1::{Entry, LimitKind, PublishedValue, Table1, published_values, recipe};
 
 use crate::CatalogueItem;
-use crate::page::{Item, Section};
+use crate::page::{Item, PageError, Publish, Section};
 use courant_analysis::sweep::{Progress, SweepError};
 
 /// How much of the report to make.
@@ -44,7 +44,7 @@ pub const CATALOGUE: &[CatalogueItem] = &[
         source: "Ferrari et al. 2008, Table 1",
     },
     CatalogueItem {
-        name: "figure_1",
+        name: "figure_01",
         description: "amplification factor over the (l/Δξ, C) plane",
         source: "Ferrari et al. 2008, Figure 1",
     },
@@ -64,12 +64,12 @@ pub const CATALOGUE: &[CatalogueItem] = &[
         source: "beyond the paper",
     },
     CatalogueItem {
-        name: "figure_2",
+        name: "figure_02",
         description: "step and hump after one and five periods",
         source: "Ferrari et al. 2008, Figure 2",
     },
     CatalogueItem {
-        name: "figure_2_norms",
+        name: "figure_02_norms",
         description: "error norms of the same runs",
         source: "Ferrari et al. 2008, Figure 2",
     },
@@ -134,17 +134,21 @@ pub enum ReportError {
     /// A figure could not be composed.
     #[error(transparent)]
     Figure(#[from] crate::figure::FigureError),
+    /// A finished section could not be written.
+    #[error(transparent)]
+    Page(#[from] PageError),
 }
 
-/// The sections of the report.
+/// Hands over the sections of the report as they are finished.
 ///
 /// # Errors
-/// When the callback stops a sweep.
-pub fn sections(
+/// When the callback stops a sweep, or a section cannot be published.
+pub fn publish_sections(
     table: &Table1,
     detail: Detail,
     progress: Progress<'_>,
-) -> Result<Vec<Section>, ReportError> {
+    publish: &mut Publish<'_>,
+) -> Result<(), ReportError> {
     let mut items = vec![Item::Paragraph(table.explanation())];
     for (name, table) in [
         ("table_1_exact", table.exact_table()),
@@ -153,18 +157,13 @@ pub fn sections(
     ] {
         items.push(Item::Table { name: name.into(), table, command: COMMAND.into() });
     }
-    let mut sections = vec![
-        Section {
-            title: "Table 1: largest stable and largest monotone Courant number".into(),
-            items,
-        },
-        Section {
-            title: "Figure 1: amplification over the (l/Δξ, C) plane".into(),
-            items: vec![figure_1(detail, progress)?],
-        },
-    ];
-    sections.extend(proofs::sections(detail)?);
-    sections.extend(section_2_runs::sections(detail, progress)?);
-    sections.extend(section_3::sections(detail, progress)?);
-    Ok(sections)
+    let title = "Table 1: largest stable and largest monotone Courant number".into();
+    publish(Section { title, items })?;
+    publish(Section {
+        title: "Figure 1: amplification over the (l/Δξ, C) plane".into(),
+        items: vec![figure_1(detail, progress)?],
+    })?;
+    proofs::publish_sections(detail, publish)?;
+    section_2_runs::publish_sections(detail, progress, publish)?;
+    section_3::publish_sections(detail, progress, publish)
 }

@@ -3,7 +3,7 @@
 use super::{COMMAND, Detail, ReportError};
 use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
 use crate::number::significant;
-use crate::page::{Item, Section};
+use crate::page::{Item, Publish, Section};
 use crate::table::{Align, Table};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::limit::{
@@ -29,15 +29,14 @@ fn symbol(scheme: AdvectionScheme, kernel: Kernel, l: &Rational) -> EnclosedSymb
 /// Speed against error of the limits, and the table of hard cases.
 ///
 /// # Errors
-/// When a figure cannot be composed.
-pub fn sections(detail: Detail) -> Result<Vec<Section>, ReportError> {
-    Ok(vec![
-        Section {
-            title: "Limits with proof: speed against error".into(),
-            items: vec![cost_figure(detail)?, cost_table(detail)],
-        },
-        Section { title: "Limits: the hard cases".into(), items: vec![hard_cases()] },
-    ])
+/// When a figure cannot be composed or a section cannot be published.
+pub fn publish_sections(detail: Detail, publish: &mut Publish<'_>) -> Result<(), ReportError> {
+    publish(Section {
+        title: "Limits with proof: speed against error".into(),
+        items: vec![cost_figure(detail)?, cost_table(detail)],
+    })?;
+    publish(Section { title: "Limits: the hard cases".into(), items: vec![hard_cases()] })?;
+    Ok(())
 }
 
 /// Time against error for two schemes: one bound by the longest waves, one by an interior wave.

@@ -6,7 +6,7 @@ use crate::table::{Align, Cell, Table};
 use courant_analysis::growth::PhaseTable;
 use courant_analysis::kernel::Kernel;
 use courant_analysis::limit::{
-    Limit, monotonicity_limit, phase_grid, sampled_stability_limit, stability_limit,
+    ExactValue, Limit, monotonicity_limit, phase_grid, sampled_stability_limit, stability_limit,
 };
 use courant_analysis::margin::Margin;
 use courant_analysis::rational::{Rational, integer, parse, to_f64};
@@ -259,6 +259,13 @@ impl Table1 {
             .count();
         let largest = stability().map(|e| e.difference_percent).fold(0.0, f64::max);
         let growth = stability().filter_map(|e| e.growth_at_published).fold(0.0, f64::max);
+        let growing = stability().filter(|e| e.growth_at_published.is_some_and(|g| g > 0.0));
+        let exact: Vec<String> = stability()
+            .filter(|e| {
+                matches!(e.limit.exact(), Some(ExactValue::Fraction(limit)) if *limit == e.published.courant)
+            })
+            .map(|e| format!("{} at l/Δξ = {}", e.published.kernel.title(), e.published.ratio))
+            .collect();
         let monotone = self
             .entries
             .iter()
@@ -266,13 +273,15 @@ impl Table1 {
             .map(|e| (e.limit.value() - to_f64(&e.published.courant)).abs())
             .fold(0.0, f64::max);
         format!(
-            "The printed stability limits are too high, by up to {largest:.1} %: at the printed Courant \
-             numbers the scheme grows, by up to {:.1} % per step. In every case the longest waves bind, and \
+            "Of the {0} printed stability limits {1} are too high, by up to {largest:.1} %: at these Courant numbers the \
+             scheme grows, by up to {2:.1} % per step. Exact as printed: {3}. In every case the longest waves bind, and \
              a coarse set of phases never visits them: looking at the phases 0, 0.1, 0.2, … rad only, and \
-             rounding up to a multiple of 0.05, reproduces {reproduced} of the {} printed stability values. \
+             rounding up to a multiple of 0.05, reproduces {reproduced} of the {0} printed stability values. \
              The monotonicity rows need no phases and agree with the exact limits to {monotone:.3}.",
-            100.0 * growth,
             stability().count(),
+            growing.count(),
+            100.0 * growth,
+            exact.join(", "),
         )
     }
 }
@@ -324,6 +333,9 @@ mod tests {
         let table = Table1::compute();
         let growth = table.entries.iter().filter_map(|e| e.growth_at_published).fold(0.0, f64::max);
         assert!(growth > 0.013 && growth < 0.015, "{growth}");
-        assert!(table.explanation().contains("12 of the 12"), "{}", table.explanation());
+        let text = table.explanation();
+        assert!(text.contains("12 of the 12"), "{text}");
+        assert!(text.contains("Of the 12 printed stability limits 11 are too high"), "{text}");
+        assert!(text.contains("Exact as printed: cubic B-spline at l/Δξ = 1."), "{text}");
     }
 }

@@ -140,6 +140,14 @@ impl Bands {
         self
     }
 
+    /// The same bands, without the ends that none of the values needs: a colour bar must not promise what is not drawn.
+    pub fn needed_for(mut self, values: impl Iterator<Item = f64> + Clone) -> Bands {
+        let (first, last) = (self.edges[0], self.edges[self.edges.len() - 1]);
+        self.below = self.below.filter(|_| values.clone().any(|value| value < first));
+        self.above = self.above.filter(|_| values.clone().any(|value| value > last));
+        self
+    }
+
     /// The band edges.
     pub fn edges(&self) -> &[f64] {
         &self.edges
@@ -218,6 +226,21 @@ mod tests {
             Bands::two_sided(vec![0.0, 2.0], 1.0),
             Err(FigureError::BreakNotAnEdge(_))
         ));
+    }
+
+    #[test]
+    fn ends_stay_where_values_lie_beyond_them() {
+        let bands = Bands::sequential(vec![0.0, 1.0, 2.0], ColorMap::Blues)
+            .unwrap()
+            .extend_below(Color::BLACK)
+            .extend_above(Color::GREY);
+        let ends = |values: &[f64]| {
+            let bands = bands.clone().needed_for(values.iter().copied());
+            (bands.below().is_some(), bands.above().is_some())
+        };
+        assert_eq!(ends(&[0.0, 1.3, 2.0, f64::NAN]), (false, false));
+        assert_eq!(ends(&[2f64.next_up()]), (false, true));
+        assert_eq!(ends(&[-1e-9, 1.0]), (true, false));
     }
 
     #[test]

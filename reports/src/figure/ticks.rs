@@ -70,8 +70,11 @@ fn multiples(low: f64, high: f64, digit: f64, power: i32) -> impl Iterator<Item 
     (first..=last).map(move |n| (n, value(n)))
 }
 
+/// The longest part of a short logarithmic axis that may lie beyond its outermost label.
+const UNLABELLED: f64 = 0.3;
+
 /// Ticks of a logarithmic axis: labelled powers of ten and unlabelled 2…9 between; on short ranges the numbers between
-/// are labelled too, and where even those are too few the ticks are those of a linear axis.
+/// are labelled too, and where even those are too few or leave an end bare the ticks are those of a linear axis.
 pub fn log_ticks(low: f64, high: f64, most: usize) -> Vec<Tick> {
     let most = most.max(2);
     let (first, last) = ((low.log10() + 1e-9).floor() as i32, (high.log10() + 1e-9).floor() as i32);
@@ -95,8 +98,13 @@ pub fn log_ticks(low: f64, high: f64, most: usize) -> Vec<Tick> {
     }
     let subsets: [&[i32]; 4] = [&[1, 2, 3, 4, 5, 6, 7, 8, 9], &[1, 2, 3, 5], &[1, 2, 5], &[1, 3]];
     let labelled = subsets.into_iter().find(|subset| {
-        let count = all.iter().filter(|t| subset.contains(&t.0)).count();
-        (2..=most).contains(&count)
+        let values: Vec<f64> =
+            all.iter().filter(|t| subset.contains(&t.0)).map(|&(_, _, value)| value).collect();
+        // An end of the axis without a number near leaves the reader to guess what stands there.
+        let bare = |from: f64, to: f64| (to / from).ln() > UNLABELLED * (high / low).ln();
+        (2..=most).contains(&values.len())
+            && !bare(low, values[0])
+            && !bare(values[values.len() - 1], high)
     });
     match labelled {
         Some(subset) => all
@@ -219,6 +227,8 @@ mod tests {
             ["2×10⁻⁷", "3×10⁻⁷", "4×10⁻⁷", "5×10⁻⁷", "6×10⁻⁷"]
         );
         assert_eq!(labels(&log_ticks(1.1, 1.4, 4)), ["1.1", "1.2", "1.3", "1.4"]);
+        // 0.5 to 1 alone would leave the upper third bare.
+        assert_eq!(labels(&log_ticks(0.48, 1.55, 7)), ["0.6", "0.8", "1.0", "1.2", "1.4"]);
     }
 
     #[test]

@@ -75,7 +75,13 @@ impl Display for Reason {
 
 impl Display for Failure {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
-        write!(formatter, "{} in step {} at time {:.6}", self.reason, self.step, self.time)
+        write!(formatter, "{} in step {} at time ", self.reason, self.step)?;
+        // Early failures need their digits too.
+        if self.time < 1e-3 {
+            write!(formatter, "{:.3e}", self.time)
+        } else {
+            write!(formatter, "{:.6}", self.time)
+        }
     }
 }
 

@@ -46,9 +46,9 @@ pub fn items(detail: Detail, progress: Progress<'_>) -> Result<Vec<Item>, Report
     let amplitude =
         amplitude_map(&paper_scheme(VISCOUS(), &usual_ratio())?, &phases, &alphas, progress)?;
     Ok(vec![
-        single("figure_2", sph, "SPH without viscosity", figure_2_caption()?)?,
-        single("figure_3", viscous, "SPH with viscosity, α = 1", figure_3_caption())?,
-        single("figure_4", &amplitude, "SPH with viscosity, h/Δ = 1.2", figure_4_caption()?)?,
+        single("figure_02", sph, "SPH without viscosity", figure_2_caption()?)?,
+        single("figure_03", viscous, "SPH with viscosity, α = 1", figure_3_caption())?,
+        single("figure_04", &amplitude, "SPH with viscosity, h/Δ = 1.2", figure_4_caption()?)?,
         figure_5(published, resolved)?,
     ])
 }
@@ -62,17 +62,17 @@ fn figure_5(published: &WaveMap, resolved: &WaveMap) -> Result<Item, ReportError
         .size(8.2, 3.9)
         .panel(published.panel("(a) GPH as printed, (64)")?)
         .panel(resolved.panel("(b) GPH resolved: left and right by position")?)
-        .color_bar(resolved.color_bar()?, Side::Right)
+        .color_bar(resolved.color_bar(&[published])?, Side::Right)
         .legend_below();
-    let mut data = published.data_files("figure_5a");
-    data.extend(resolved.data_files("figure_5b"));
+    let mut data = published.data_files("figure_05a");
+    data.extend(resolved.data_files("figure_05b"));
     let caption = format!(
         "Figure 5. Phase error of Godunov particle hydrodynamics. (a) The relation as printed, ω² + cSω = ω_SPH²: no \
          damping, and an error that stays large for long waves. It takes each particle as the left state towards \
          every neighbour, which no running scheme does. (b) The relation of the scheme, ω² + icDω = ω_SPH²: waves are \
          damped, long ones travel at the speed of SPH. {SETTINGS}"
     );
-    Ok(figure_item("figure_5", figure, caption, data))
+    Ok(figure_item("figure_05", figure, caption, data))
 }
 
 /// The error of the speed of long waves, in percent.

@@ -21,6 +21,8 @@ pub enum ClaimVerdict {
     Partly,
     /// They do not.
     NotConfirmed,
+    /// What is compared differs by less than a clock scatters.
+    NoDifference,
 }
 
 impl ClaimVerdict {
@@ -30,6 +32,17 @@ impl ClaimVerdict {
             Self::Confirmed => "confirmed",
             Self::Partly => "in part",
             Self::NotConfirmed => "not confirmed",
+            Self::NoDifference => "no difference",
+        }
+    }
+
+    /// Whether a share of the time of something else is less of it. Times of one program scatter by several per cent
+    /// from run to run: a tenth either way decides nothing.
+    fn faster(share: f64) -> Self {
+        match share {
+            share if share < 0.9 => Self::Confirmed,
+            share if share <= 1.1 => Self::NoDifference,
+            _ => Self::NotConfirmed,
         }
     }
 
@@ -129,8 +142,11 @@ fn tubes(runs: &Runs, shells: &[Shell], costs: &[Cost]) -> Vec<Claim> {
         shells.iter().find(|shell| shell.method == method).expect("every method has a shell")
     };
     let [one, two, three, four] = CASES.map(shell);
-    let fourth_cost = cost(costs, "sod-sph", ParticleMethod::Gph4).seconds
-        / cost(costs, "sod-sph", ParticleMethod::Gph3).seconds;
+    let fourth_cost = |value: &dyn Fn(&Cost) -> f64| {
+        value(cost(costs, "sod-sph", ParticleMethod::Gph4))
+            / value(cost(costs, "sod-sph", ParticleMethod::Gph3))
+    };
+    let fourth_pairs = fourth_cost(&|cost| cost.interactions as f64);
     let per_pair = |scene| {
         let cost = cost(costs, scene, ParticleMethod::Gph3);
         cost.seconds / cost.interactions as f64
@@ -166,11 +182,11 @@ fn tubes(runs: &Runs, shells: &[Shell], costs: &[Cost]) -> Vec<Claim> {
         Claim {
             claim: "case 4 takes more time than case 3",
             place: "Fig. 14",
-            number: format!("{fourth_cost:.2} times, for {:.2} times the pairs", {
-                cost(costs, "sod-sph", ParticleMethod::Gph4).interactions as f64
-                    / cost(costs, "sod-sph", ParticleMethod::Gph3).interactions as f64
-            }),
-            verdict: ClaimVerdict::of(&[fourth_cost > 1.0]),
+            number: format!(
+                "{fourth_pairs:.2} times the pair interactions (judged), {:.2} times the seconds",
+                fourth_cost(&|cost| cost.seconds)
+            ),
+            verdict: ClaimVerdict::of(&[fourth_pairs > 1.0]),
         },
         Claim {
             claim: "case 1 underestimates the density of the blast's shell by a few per cent",
@@ -242,8 +258,10 @@ fn tubes(runs: &Runs, shells: &[Shell], costs: &[Cost]) -> Vec<Claim> {
         Claim {
             claim: "isothermal GPH is faster, its solver does not iterate",
             place: "5.4",
-            number: format!("time per pair {isothermal:.2} of that with van Leer's solver (gph3)"),
-            verdict: ClaimVerdict::of(&[isothermal < 1.0]),
+            number: format!(
+                "seconds per pair {isothermal:.2} of those with van Leer's solver (gph3); 0.9 to 1.1 is no difference"
+            ),
+            verdict: ClaimVerdict::faster(isothermal),
         },
     ]
 }
@@ -346,11 +364,11 @@ fn time(costs: &[Cost]) -> [Claim; 2] {
     let text = |cases: [f64; 4]| cases.map(|case| format!("{case:.2}")).join(", ");
     let seconds = ratio("sod-sph", &|cost| cost.seconds);
     let isothermal = ratio("isothermal-tube", &|cost| cost.seconds);
-    let pairs = ratio("sod-sph", &|cost| cost.interactions as f64);
+    let pairs =
+        ["sod-sph", "isothermal-tube"].map(|scene| ratio(scene, &|cost| cost.interactions as f64));
     let searches = cost(costs, "sod-sph", ParticleMethod::Sph1).searches as f64
         / cost(costs, "sod-sph", ParticleMethod::Gph3).searches as f64;
-    // The middle of six: seconds scatter.
-    let mut all = [&seconds[..3], &isothermal[..3]].concat();
+    let mut all = [&pairs[0][..3], &pairs[1][..3]].concat();
     all.sort_by(f64::total_cmp);
     let median = 0.5 * (all[2] + all[3]);
     [
@@ -358,10 +376,12 @@ fn time(costs: &[Cost]) -> [Claim; 2] {
             claim: "GPH takes about 70 per cent of the processor time of SPH",
             place: "section 6",
             number: format!(
-                "seconds over SPH 1, cases 1 to 4: {} (shock tube), {} (isothermal tube), median of cases 1 to 3 {median:.2}; pair interactions: {}",
+                "pair interactions over SPH 1, cases 1 to 4: {} (shock tube), {} (isothermal tube), median of cases 1 to 3 \
+                 {median:.2} (judged: about 70 per cent, and less); seconds: {}; {}",
+                text(pairs[0]),
+                text(pairs[1]),
                 text(seconds),
-                text(isothermal),
-                text(pairs)
+                text(isothermal)
             ),
             verdict: ClaimVerdict::of(&[(0.6..0.8).contains(&median), median < 1.0]),
         },
@@ -377,7 +397,8 @@ fn time(costs: &[Cost]) -> [Claim; 2] {
 pub(super) fn table(claims: &[Claim]) -> Item {
     let mut table = Table::new(
         "Claims of the paper about its one-dimensional tests and our numbers. Every verdict is a rule applied to the \
-         numbers, at the settings of the tables below; the paper does not state kernel, h/Δx and step.",
+         numbers, at the settings of the tables above; the paper does not state kernel, h/Δx and step. Where work is claimed, \
+         pair interactions are judged, which are the same on every machine; seconds stand beside them.",
         &[
             ("claim", Align::Left),
             ("where", Align::Left),
@@ -394,4 +415,17 @@ pub(super) fn table(claims: &[Claim]) -> Item {
         ]);
     }
     Item::Table { name: "particle_claims".into(), table, command: COMMAND.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ClaimVerdict;
+
+    #[test]
+    fn times_that_hardly_differ_decide_nothing() {
+        let verdicts =
+            [0.5, 0.89, 0.95, 1.0, 1.05, 1.2].map(|share| ClaimVerdict::faster(share).name());
+        let no = "no difference";
+        assert_eq!(verdicts, ["confirmed", "confirmed", no, no, no, "not confirmed"]);
+    }
 }

@@ -22,9 +22,11 @@ pub(super) fn figures(runs: &Runs) -> Vec<Item> {
 fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
     let snapshots = [runs.early(method), runs.get("sound-wave", method)];
     let looks = [(Color::BLUE, Marker::Circle), (Color::VERMILION, Marker::Square)];
-    let panels = [Quantity::Density, Quantity::Velocity].map(|quantity| {
+    let shown = [(Quantity::Density, "(a) density"), (Quantity::Velocity, "(b) velocity")];
+    let panels = shown.map(|(quantity, title)| {
         let mut panel =
-            Panel::new(Axis::linear("x").range(-0.5, 0.5), Axis::linear(quantity.label()));
+            Panel::new(Axis::linear("x").range(-0.5, 0.5), Axis::linear(quantity.label()))
+                .title(title);
         for (solved, (color, marker)) in snapshots.iter().zip(looks) {
             let Solved { scene, run, .. } = solved;
             let values = match quantity {

@@ -54,7 +54,7 @@ pub(super) fn section(_detail: Detail) -> Result<Section, ReportError> {
         .enumerate()
         .fold(Figure::grid(2, 2).size(7.2, 5.6), |figure, (k, case)| figure.panel(panel(k, case)));
     let figure = Item::Figure {
-        name: "figure_2".into(),
+        name: "figure_02".into(),
         figure: Box::new(figure.legend_below()),
         caption: format!(
             "Figure 2. Linear advection of a step (2.28) and of a smooth hump (2.29) over one and five periods \
@@ -67,7 +67,7 @@ pub(super) fn section(_detail: Detail) -> Result<Section, ReportError> {
         command: COMMAND.into(),
     };
     let table = Item::Table {
-        name: "figure_2_norms".into(),
+        name: "figure_02_norms".into(),
         table: norms(&cases),
         command: COMMAND.into(),
     };
@@ -108,7 +108,7 @@ fn data_file((scene, periods, runs): &Case) -> (String, Vec<u8>) {
         writeln!(text, "{position},{},{}", first.exact[i], values.join(","))
             .expect("writing to a string succeeds");
     }
-    (format!("figure_2_{}_{periods}.csv", scene.name()), text.into_bytes())
+    (format!("figure_02_{}_{periods}.csv", scene.name()), text.into_bytes())
 }
 
 fn norms(cases: &[Case]) -> Table {

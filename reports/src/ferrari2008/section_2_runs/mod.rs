@@ -9,7 +9,7 @@ mod printed_growth;
 mod speed;
 
 use super::{Detail, ReportError};
-use crate::page::Section;
+use crate::page::{Publish, Section};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::rational::Rational;
 use courant_analysis::scheme::{AdvectionScheme, Discretisation};
@@ -18,11 +18,15 @@ use courant_analysis::sweep::{Progress, SweepError};
 /// The stages of these sections, for the progress bar.
 const STAGES: usize = 6;
 
-/// The sections of the report.
+/// Hands over the sections as they are finished.
 ///
 /// # Errors
-/// When the callback stops the work or a figure cannot be composed.
-pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, ReportError> {
+/// When the callback stops the work, a figure cannot be composed or a section cannot be published.
+pub fn publish_sections(
+    detail: Detail,
+    progress: Progress<'_>,
+    publish: &mut Publish<'_>,
+) -> Result<(), ReportError> {
     type Stage = fn(Detail) -> Result<Section, ReportError>;
     let stages: [Stage; STAGES] = [
         figure_2::section,
@@ -33,17 +37,16 @@ pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, 
         // The last: its times are taken alone.
         speed::section,
     ];
-    let mut sections = Vec::with_capacity(STAGES);
     for (done, stage) in stages.into_iter().enumerate() {
         if progress(done, STAGES).is_break() {
             return Err(SweepError::Cancelled.into());
         }
-        sections.push(stage(detail)?);
+        publish(stage(detail)?)?;
     }
     if progress(STAGES, STAGES).is_break() {
         return Err(SweepError::Cancelled.into());
     }
-    Ok(sections)
+    Ok(())
 }
 
 /// The kernels looked at.

@@ -1,10 +1,11 @@
 //! Figures 3 to 21, one for each method and test.
 
-use super::runs::{Runs, TestRun};
+use super::runs::{PARTICLES, Runs, TestRun};
 use crate::gas_run;
 use crate::number::significant;
 use crate::page::{Item, Section};
 use courant_simulation::method::Method;
+use courant_simulation::run::Run;
 use courant_simulation::scene::Scene;
 
 /// One section for each test. The paper has no figure of a run that fails; neither is there one here.
@@ -38,21 +39,29 @@ fn figure(run: &TestRun, number: usize) -> Item {
     let TestRun { test, method, tube, run, comparison } = run;
     let title = format!("Figure {number}. Test {test}: {}", gas_run::method_title(method.name()));
     let kind = if run.particle_mass.is_some() { "particles" } else { "cells" };
-    let name = format!("figure_{number}");
+    let name = format!("figure_{number:02}");
     Item::Figure {
         figure: Box::new(gas_run::figure(tube, run, &title)),
         caption: format!(
-            "{title}, t = {}. N = 100 {kind}, γ = 1.4; {}; {} steps. {} of {} {kind} are inside the \
-             domain. Σ|e|/N of the density: {}. Symbols: run; line: exact.",
+            "{title}, t = {}. N = {PARTICLES} {kind}, γ = 1.4; {}; {} steps.{} {} {kind} are inside the \
+             domain at the end; Σ|e|/N of the density over these: {}. Symbols: run; line: exact.",
             tube.end_time(),
             gas_run::settings(method),
             run.steps,
+            followed(run),
             comparison.inside,
-            run.profile.len(),
             significant(comparison.l1.density, 3),
         ),
         data: vec![(format!("{name}.csv"), gas_run::profile_csv(tube, run))],
         command: format!("courant run ferrari{test} --method {}", method.name()),
         name,
+    }
+}
+
+/// Where gas flows in, particles wait outside and follow: there are more in the end than in the domain at the start.
+fn followed(run: &Run) -> String {
+    match run.waiting.iter().sum::<usize>() {
+        0 => String::new(),
+        waiting => format!(" {waiting} more started outside, to follow where gas flows in."),
     }
 }

@@ -12,7 +12,7 @@ mod table_2;
 
 use super::{Detail, ReportError};
 use crate::CatalogueItem;
-use crate::page::{Item, Section};
+use crate::page::{Item, Publish, Section};
 use courant_analysis::sweep::{Progress, SweepError};
 use courant_simulation::run::Failure;
 use runs::Runs;
@@ -34,13 +34,13 @@ pub const CATALOGUE: &[CatalogueItem] = &[
         description: "exact star states and the growth of the Lagrangian sound speed",
         source: "Ferrari et al. 2008, Table 2",
     },
-    entry("figure_3", "test 1, finite volumes", "Ferrari et al. 2008, Figure 3"),
-    entry("figure_4", "test 1, standard SPH (ADKE)", "Ferrari et al. 2008, Figure 4"),
-    entry("figure_5", "test 1, Godunov-type SPH, exact flux", "Ferrari et al. 2008, Figure 5"),
-    entry("figure_6", "test 1, Godunov-type SPH, Rusanov flux", "Ferrari et al. 2008, Figure 6"),
-    entry("figure_7", "test 1, Godunov-type SPH, Roe flux", "Ferrari et al. 2008, Figure 7"),
-    entry("figure_8", "test 2, finite volumes", "Ferrari et al. 2008, Figure 8"),
-    entry("figure_9", "test 2, standard SPH (ADKE)", "Ferrari et al. 2008, Figure 9"),
+    entry("figure_03", "test 1, finite volumes", "Ferrari et al. 2008, Figure 3"),
+    entry("figure_04", "test 1, standard SPH (ADKE)", "Ferrari et al. 2008, Figure 4"),
+    entry("figure_05", "test 1, Godunov-type SPH, exact flux", "Ferrari et al. 2008, Figure 5"),
+    entry("figure_06", "test 1, Godunov-type SPH, Rusanov flux", "Ferrari et al. 2008, Figure 6"),
+    entry("figure_07", "test 1, Godunov-type SPH, Roe flux", "Ferrari et al. 2008, Figure 7"),
+    entry("figure_08", "test 2, finite volumes", "Ferrari et al. 2008, Figure 8"),
+    entry("figure_09", "test 2, standard SPH (ADKE)", "Ferrari et al. 2008, Figure 9"),
     entry("figure_10", "test 2, Godunov-type SPH, exact flux", "Ferrari et al. 2008, Figure 10"),
     entry("figure_11", "test 2, Godunov-type SPH, Rusanov flux", "Ferrari et al. 2008, Figure 11"),
     entry("figure_12", "test 2, Godunov-type SPH, Roe flux", "Ferrari et al. 2008, Figure 12"),
@@ -73,11 +73,15 @@ const fn entry(
     CatalogueItem { name, description, source }
 }
 
-/// The sections of this part, in the order of the paper.
+/// Hands over the sections of this part, in the order of the paper, as they are finished.
 ///
 /// # Errors
-/// When the callback asks to stop.
-pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, ReportError> {
+/// When the callback asks to stop, or a section cannot be published.
+pub fn publish_sections(
+    detail: Detail,
+    progress: Progress<'_>,
+    publish: &mut Publish<'_>,
+) -> Result<(), ReportError> {
     let parts = 5;
     let reached = |part: usize| {
         if progress(part, parts).is_break() {
@@ -91,25 +95,26 @@ pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, 
     let timed = cost::measure(detail);
     let runs = Runs::at_100_particles();
     reached(1)?;
-    let mut sections = vec![table_2::section()];
-    sections.extend(figures::sections(&runs));
-    sections.push(Section {
+    publish(table_2::section())?;
+    for section in figures::sections(&runs) {
+        publish(section)?;
+    }
+    publish(Section {
         title: "Section 3.3 in numbers".into(),
         items: vec![errors::table(&runs), errors::waves(&runs), statements::table(&runs)],
-    });
+    })?;
     reached(2)?;
-    sections.push(Section {
+    publish(Section {
         title: "Convergence of the five methods".into(),
         items: convergence::items(detail, &timed),
-    });
+    })?;
     reached(3)?;
-    sections.push(Section { title: "Time against error".into(), items: cost::items(&timed) });
-    sections.push(Section {
+    publish(Section { title: "Time against error".into(), items: cost::items(&timed) })?;
+    publish(Section {
         title: "Which Courant number is safe".into(),
         items: [linear_theory::items(), courant_number::items(detail)].concat(),
-    });
-    reached(parts)?;
-    Ok(sections)
+    })?;
+    reached(parts)
 }
 
 /// A table with its place in the report.

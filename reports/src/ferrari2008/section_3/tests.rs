@@ -32,7 +32,7 @@ fn figures_have_the_numbers_of_the_paper() {
             _ => None,
         })
         .collect();
-    let wanted: Vec<String> = (3..=21).map(|number| format!("figure_{number}")).collect();
+    let wanted: Vec<String> = (3..=21).map(|number| format!("figure_{number:02}")).collect();
     assert_eq!(names, wanted);
     for name in names {
         assert!(CATALOGUE.iter().any(|item| item.name == name));
@@ -48,4 +48,15 @@ fn figures_have_the_numbers_of_the_paper() {
     assert_eq!(table.rows().count(), 20);
     let Item::Table { table, .. } = statements::table(&runs) else { panic!("a table") };
     assert!(table.rows().count() >= 20);
+    let section = table_2::section();
+    for item in section
+        .items
+        .iter()
+        .chain(&[errors::table(&runs), errors::waves(&runs)])
+        .chain(&[statements::table(&runs)])
+    {
+        if let Item::Table { name, table, .. } = item {
+            assert!(table.to_latex().is_ascii(), "{name}: {}", table.to_latex());
+        }
+    }
 }
