@@ -1,4 +1,6 @@
-//! What a proof costs and what sampling misses; the hard cases of the limits.
+//! What a proof costs and what sampling misses; limits as roots of polynomials; the hard cases.
+
+mod hard_cases;
 
 use super::{COMMAND, Detail, ReportError};
 use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
@@ -6,20 +8,18 @@ use crate::number::significant;
 use crate::page::{Item, Publish, Section};
 use crate::table::{Align, Table};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::{
-    AccuracyRow, LimitMethod, accuracy_study, growth_limit, stability_limit, stable_set,
-};
-use courant_analysis::margin::Margin;
-use courant_analysis::rational::{Rational, integer, parse, ratio, to_f64, to_text};
+use courant_analysis::limit::{AccuracyRow, accuracy_study, stability_limit, stable_set};
+use courant_analysis::rational::{Rational, parse, ratio, to_text};
 use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant_analysis::symbol::EnclosedSymbol;
-use courant_analysis::verdict::check;
-use courant_analysis::weak_instability::long_wave_behaviour;
 use num_traits::Zero;
 use std::time::Instant;
 
 /// Errors below the rounding of an `f64` are drawn here.
 const ERROR_FLOOR: f64 = 1e-17;
+
+/// Longer equations are described, not printed.
+const LONGEST_EQUATION: usize = 180;
 
 fn symbol(scheme: AdvectionScheme, kernel: Kernel, l: &Rational) -> EnclosedSymbol {
     let discretisation = Discretisation::new(scheme, kernel, l.clone());
@@ -35,7 +35,10 @@ pub fn publish_sections(detail: Detail, publish: &mut Publish<'_>) -> Result<(),
         title: "Limits with proof: speed against error".into(),
         items: vec![cost_figure(detail)?, cost_table(detail)],
     })?;
-    publish(Section { title: "Limits: the hard cases".into(), items: vec![hard_cases()] })?;
+    publish(Section {
+        title: "Limits: the hard cases".into(),
+        items: vec![hard_cases::table(), roots()],
+    })?;
     Ok(())
 }
 
@@ -73,7 +76,7 @@ fn cost_figure(detail: Detail) -> Result<Item, ReportError> {
         caption: format!(
             "Relative error of a stability limit against the time it takes (least of {repetitions}), cubic spline; (a) long waves bind, (b) an interior wave. Sampled: 8 to 65,536 equal \
              steps of the phase. Refined: the worst sampled phase improved in floating point. Proved: to 16, 24, 32, 40 and 52 \
-             bits; where the limit is a fraction the proof is exact from the start. Errors that are not resolved are drawn at 1e-17."
+             bits, with 52 the polynomial of which the limit is a root included; where the limit is a fraction the proof is exact from the start. Errors that are not resolved are drawn at 1e-17."
         ),
         data: vec![("limits_cost.csv".into(), csv.into_bytes())],
         command: COMMAND.into(),
@@ -146,7 +149,7 @@ fn cost_table(detail: Detail) -> Item {
                     scheme.name().to_string(),
                     kernel.name().into(),
                     (*text).into(),
-                    significant(limit.value(), 10),
+                    limit.decimal(10).unwrap_or_default(),
                     significant(1e3 * proof.as_secs_f64(), 2),
                     set.work.boxes.to_string(),
                     sampling,
@@ -158,100 +161,37 @@ fn cost_table(detail: Detail) -> Item {
     Item::Table { name: "limits_cost_table".into(), table, command: COMMAND.into() }
 }
 
-/// The hard cases, each answered by a computation.
-fn hard_cases() -> Item {
+/// Limits of Lax–Wendroff SPH at interior waves: algebraic numbers.
+fn roots() -> Item {
     let mut table = Table::new(
-        "Hard cases of the limits",
-        &[("case", Align::Left), ("question", Align::Left), ("answer", Align::Left)],
+        "Stability limits of Lax–Wendroff SPH with the cubic spline as roots of integer polynomials",
+        &[
+            ("l/Δξ", Align::Right),
+            ("limit", Align::Left),
+            ("degree", Align::Right),
+            ("equation", Align::Left),
+        ],
     );
-    let godunov = |l: &Rational| symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, l);
-    let limit_text =
-        |l: &Rational| significant(stability_limit(&godunov(l), &search_range(l)).value(), 13);
-    let small = ratio(1, 1_000_000_000);
-    for (name, edge) in [
-        ("a lattice point on the edge of the support", integer(2)),
-        ("a lattice point on a knot", ratio(3, 2)),
-    ] {
-        table.push([
-            name.to_string(),
-            format!("Godunov, cubic: limit at {0} − 1e-9, {0}, {0} + 1e-9", to_text(&edge)),
-            [&edge - &small, edge.clone(), &edge + &small].map(|l| limit_text(&l)).join(", "),
-        ]);
+    for text in ["1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.8", "2", "2.5", "3"] {
+        let l = parse(text).expect("the list holds decimals");
+        let symbol = symbol(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &l);
+        let limit = stability_limit(&symbol, &search_range(&l));
+        let (degree, equation) = match (limit.exact(), limit.equation()) {
+            (Some(exact), _) => (String::new(), exact.to_string()),
+            (None, Some(root)) => {
+                let equation = root.equation("C");
+                let longest = root.polynomial().coefficients().iter().map(|c| c.bits()).max();
+                let shown = if equation.len() <= LONGEST_EQUATION {
+                    equation
+                } else {
+                    format!("integers of up to {} bits", longest.unwrap_or(0))
+                };
+                (root.degree().to_string(), shown)
+            }
+            (None, None) => (String::new(), "not sought".into()),
+        };
+        table.push([text.into(), limit.decimal(30).unwrap_or_default(), degree, equation]);
     }
-    let typed = parse("0.3").expect("a decimal");
-    let neighbours =
-        courant_analysis::lattice::LatticeWeights::new(Kernel::Gaussian, &(&typed + ratio(1, 30)))
-            .map_or(0, |weights| weights.reach());
-    table.push([
-        "ratio 1/3 with the Gaussian".into(),
-        "is the neighbour at exactly q = 3 counted?".into(),
-        format!("yes: {neighbours} neighbour on each side"),
-    ]);
-    let margin = Margin::new(&godunov(&integer(1)), &Rational::zero()).compile();
-    let phase = 1e-9_f64;
-    let exact = (0.5 * phase).sin().powi(2);
-    table.push([
-        "phase 1e-9".into(),
-        "Godunov, cubic, ratio 1, C = 1/2: relative error of 1 − |g|²".into(),
-        significant((margin.at(0.5, phase) / exact - 1.0).abs(), 2),
-    ]);
-    let shift = check(&godunov(&integer(1)), &integer(1), &integer(20));
-    table.push([
-        "exactly neutral".into(),
-        "Godunov, cubic, ratio 1, C = 1 is the exact shift".into(),
-        format!("{}, growth {}", shift.verdict.name(), shift.strongest.growth),
-    ]);
-    let weak = symbol(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, &integer(3));
-    let budgets: Vec<String> = ["0", "1e-9", "1e-6", "1e-4", "1e-3", "1e-2"]
-        .into_iter()
-        .map(|growth| {
-            let budget = parse(growth).expect("a decimal");
-            format!(
-                "{growth}: {}",
-                significant(growth_limit(&weak, &budget, &integer(30)).value(), 6)
-            )
-        })
-        .collect();
-    table.push([
-        "weak instability".into(),
-        "Lax–Wendroff, cut Gaussian, ratio 3: limit for a growth per step of".into(),
-        budgets.join("; "),
-    ]);
-    let drifting = symbol(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &ratio(13, 10));
-    let drift = to_f64(&(drifting.mean_gain().evaluate(&integer(1)) - integer(1)));
-    table.push([
-        "the mean drifts".into(),
-        "Lax–Wendroff, cubic, ratio 1.3, C = 1: change of a constant per step".into(),
-        significant(drift, 6),
-    ]);
-    let above = Margin::new(&godunov(&integer(2)), &Rational::zero());
-    if let Some(leading) = long_wave_behaviour(&above) {
-        let amplitude = to_f64(&leading.amplitude.evaluate(&ratio(19, 10)));
-        table.push([
-            "just above a long-wave limit".into(),
-            "Godunov, cubic, ratio 2, C = 1.9: |g|² − 1 for long waves".into(),
-            format!("{} φ^{}", significant(amplitude, 6), leading.power),
-        ]);
-    }
-    let wide = integer(50);
-    let set = stable_set(&godunov(&wide), &Rational::zero(), &search_range(&wide));
-    table.push([
-        "ratio 50".into(),
-        "Godunov, cubic: limit, and boxes looked at".into(),
-        format!("{}, {}", significant(set.limit().value(), 13), set.work.boxes),
-    ]);
-    let tolerance = LimitMethod::Proved(52).size();
-    table.push([
-        "whole ratios".into(),
-        format!("Lax–Wendroff, cubic, to {tolerance} bits: limits at ratio 2, 3, 5, 10"),
-        [2, 3, 5, 10]
-            .map(|l| {
-                let symbol =
-                    symbol(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &integer(l));
-                let limit = stability_limit(&symbol, &search_range(&integer(l)));
-                limit.exact().map_or_else(|| significant(limit.value(), 12), ToString::to_string)
-            })
-            .join(", "),
-    ]);
-    Item::Table { name: "limits_hard_cases".into(), table, command: COMMAND.into() }
+    let command = "courant limits --scheme lax-wendroff-sph --kernel cubic-spline --ratio 1.1:1.6:0.1,1.8,2,2.5,3 --digits 30";
+    Item::Table { name: "limits_as_roots".into(), table, command: command.into() }
 }

@@ -172,7 +172,9 @@ impl Table1 {
         let rows = self.rows().flat_map(|(kind, kernel, entries)| {
             let head = |what| row_head(kind, kernel, what);
             let mut decimals = head(entries[0].limit.evidence().name());
-            decimals.extend(entries.iter().map(|e| Cell::from(format!("{:.10}", e.limit.value()))));
+            decimals.extend(
+                entries.iter().map(|e| Cell::from(e.limit.decimal(11).unwrap_or_default())),
+            );
             let mut rows = vec![decimals];
             if entries.iter().all(|entry| entry.limit.exact().is_some()) {
                 let mut fractions = head("exactly");
@@ -238,7 +240,7 @@ impl Table1 {
                 entry.published.kind.name().to_string(),
                 entry.published.kernel.title().into(),
                 entry.published.ratio.to_string(),
-                format!("{:.6}", entry.limit.value()),
+                entry.limit.decimal(7).unwrap_or_default(),
                 format!("{:.2}", to_f64(&entry.published.courant)),
                 format!("{:+.2} %", entry.difference_percent),
                 growth.map_or_else(
