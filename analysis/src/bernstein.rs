@@ -5,16 +5,17 @@
 //! shifts only. Numbers are integers in a fixed unit; whatever is cut off is cut off downwards, so a
 //! coefficient here is never above the true one, and "nowhere negative" is a theorem.
 
-use crate::cosine_series::CosineSeries;
 use crate::margin::Margin;
-use crate::rational::Rational;
+use crate::rational::{Rational, common_denominator, numerator_over};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use std::collections::VecDeque;
 
+mod basis;
 mod cover;
 
+use basis::{binomials, polar_weights, scaled_bernstein};
 pub use cover::{SignedBox, exact_cover};
 
 /// How much work a decision took: counts, not seconds, so that tests can hold it down.
@@ -148,7 +149,7 @@ impl MarginForm {
             if work.boxes + pending.len() >= max_boxes {
                 return (Sign::Undecided, work);
             }
-            let (left, right) = halve(current);
+            let (left, right) = halve(current, |sum, _, level| sum >> level);
             let first: BigInt = left_end << 1;
             pending.push_back((left, first.clone(), depth + 1));
             pending.push_back((right, first + 1, depth + 1));
@@ -207,86 +208,30 @@ impl MarginForm {
     }
 }
 
-/// Splits a box at the middle of the `s`-interval by de Casteljau's algorithm on every row.
-fn halve(mut rows: Vec<Vec<BigInt>>) -> (Vec<Vec<BigInt>>, Vec<Vec<BigInt>>) {
+/// The halves at the middle of the `s`-interval by de Casteljau's algorithm on every row. Sums are taken
+/// instead of means: `scale` gets a final one with the degree and with its level `r`, at which it is `2^r`
+/// times the true coefficient.
+fn halve(
+    mut rows: Vec<Vec<BigInt>>,
+    scale: impl Fn(BigInt, usize, usize) -> BigInt,
+) -> (Vec<Vec<BigInt>>, Vec<Vec<BigInt>>) {
     let mut left_rows = Vec::with_capacity(rows.len());
     for row in &mut rows {
         let degree = row.len() - 1;
         let mut left = Vec::with_capacity(row.len());
         for level in 0..=degree {
-            // Sums instead of means: level r holds 2^r times the true coefficients.
-            left.push(&row[0] >> level as u64);
+            left.push(scale(row[0].clone(), degree, level));
             for index in 0..degree - level {
                 let (head, tail) = row.split_at_mut(index + 1);
                 head[index] += &tail[0];
             }
             // The last sum of the level is final: the right half's coefficient.
-            row[degree - level] >>= level as u64;
+            let last = &mut row[degree - level];
+            *last = scale(std::mem::take(last), degree, level);
         }
         left_rows.push(left);
     }
     (left_rows, rows)
-}
-
-/// `[e_0, …, e_n]` of `m` copies of `a` and `k` copies of `b`.
-fn elementary_symmetric(a: &BigInt, m: usize, b: &BigInt, k: usize) -> Vec<BigInt> {
-    let mut sums = vec![BigInt::one()];
-    for value in std::iter::repeat_n(a, m).chain(std::iter::repeat_n(b, k)) {
-        sums.push(BigInt::zero());
-        for index in (1..sums.len()).rev() {
-            let product = &sums[index - 1] * value;
-            sums[index] += product;
-        }
-    }
-    sums
-}
-
-/// `[C(n, 0), …, C(n, n)]`.
-fn binomials(degree: usize) -> Vec<BigInt> {
-    let mut row = vec![BigInt::one()];
-    for index in 0..degree {
-        let next = &row[index] * (degree - index) / (index + 1);
-        row.push(next);
-    }
-    row
-}
-
-/// The `β_i` with `Σ_m r_m cos mφ = Σ_i β_i s^i (1 − s)^{n−i}`.
-fn scaled_bernstein(series: &CosineSeries<BigInt>, degree: usize) -> Vec<BigInt> {
-    let powers = series.in_powers_of_s();
-    // Σ a_i s^i (s + (1 − s))^{n−i}: Horner in the homogeneous form.
-    let mut scaled: Vec<BigInt> = Vec::with_capacity(degree + 1);
-    for index in 0..=degree {
-        // Multiply by (s + (1 − s)), then add a_i s^i.
-        scaled.push(BigInt::zero());
-        for j in (1..scaled.len()).rev() {
-            let (head, tail) = scaled.split_at_mut(j);
-            tail[0] += &head[j - 1];
-        }
-        scaled[index] += powers.coefficient(index);
-    }
-    scaled
-}
-
-/// How Bernstein coefficients in `t` on `[from, to]` follow from coefficients of powers of `t`, up to a
-/// common positive factor: row `k` holds the weights of `1, t, …, t^degree` in coefficient `k`.
-///
-/// Polar form: `t^j` becomes the `j`-th elementary symmetric mean of `k` copies of `to` and
-/// `degree − k` copies of `from`.
-fn polar_weights(degree: usize, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
-    let common = from.denom().lcm(to.denom());
-    let numerator = |end: &Rational| end.numer() * (&common / end.denom());
-    let (from, to) = (numerator(from), numerator(to));
-    let choices = binomials(degree);
-    let factor = choices.iter().fold(BigInt::one(), |all, value| all.lcm(value));
-    (0..=degree)
-        .map(|k| {
-            let symmetric = elementary_symmetric(&from, degree - k, &to, k);
-            (0..=degree)
-                .map(|j| &symmetric[j] * (&factor / &choices[j]) * common.pow((degree - j) as u32))
-                .collect()
-        })
-        .collect()
 }
 
 /// Whether the polynomial in `t` with these coefficients is negative on the open interval
@@ -297,9 +242,9 @@ pub fn is_negative_between(
     from: &Rational,
     to: &Rational,
 ) -> Option<bool> {
-    let common = coefficients.iter().fold(BigInt::one(), |all, value| all.lcm(value.denom()));
+    let common = common_denominator(coefficients);
     let integers: Vec<BigInt> =
-        coefficients.iter().map(|value| value.numer() * (&common / value.denom())).collect();
+        coefficients.iter().map(|value| numerator_over(value, &common)).collect();
     is_negative_integer_polynomial(&integers, from, to)
 }
 
@@ -324,7 +269,9 @@ pub fn is_negative_integer_polynomial(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cosine_series::CosineSeries;
     use crate::kernel::Kernel;
+    use crate::polynomial::Polynomial;
     use crate::rational::{integer, ratio, to_f64};
     use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
     use proptest::prelude::*;
@@ -383,7 +330,7 @@ mod tests {
             let mut values = coefficients;
             values[0] += lift;
             let series = CosineSeries::new(values.into_iter().map(BigInt::from).collect::<Vec<_>>());
-            let degree = series.coefficients().len().saturating_sub(1);
+            let degree = series.degree();
             let form = MarginForm {
                 powers: vec![scaled_bernstein(&series, degree)],
                 radius: vec![BigInt::zero()],
@@ -417,6 +364,4 @@ mod tests {
             }
         }
     }
-
-    use crate::polynomial::Polynomial;
 }

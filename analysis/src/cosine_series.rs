@@ -23,6 +23,11 @@ impl<T: Ring> CosineSeries<T> {
         &self.coefficients
     }
 
+    /// The degree in `cos φ`; 0 also for the zero series.
+    pub fn degree(&self) -> usize {
+        self.coefficients.len().saturating_sub(1)
+    }
+
     /// Whether all coefficients vanish.
     pub fn is_zero(&self) -> bool {
         self.coefficients.is_empty()

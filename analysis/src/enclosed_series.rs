@@ -1,7 +1,7 @@
 //! Cosine series known exactly, or within a stated distance of the true function.
 
 use crate::cosine_series::CosineSeries;
-use crate::rational::{Rational, to_f64};
+use crate::rational::{Rational, common_denominator, numerator_over, to_f64};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -20,12 +20,9 @@ pub struct EnclosedSeries {
 impl EnclosedSeries {
     /// From `[r_0, r_1, …]` and the bound on the error, zero when there is none.
     pub fn new(coefficients: &[Rational], radius: Rational) -> Self {
-        let denominator =
-            coefficients.iter().fold(BigInt::one(), |common, value| common.lcm(value.denom()));
-        let numerators = coefficients
-            .iter()
-            .map(|value| value.numer() * (&denominator / value.denom()))
-            .collect();
+        let denominator = common_denominator(coefficients);
+        let numerators =
+            coefficients.iter().map(|value| numerator_over(value, &denominator)).collect();
         Self { numerators, denominator, radius }
     }
 

@@ -75,11 +75,16 @@ impl Interval {
         Some(((&lower + &upper) / &two, (&upper - &lower) / &two))
     }
 
-    /// `x²`: never negative.
-    pub fn sqr(self) -> Self {
+    /// The least and the largest modulus.
+    fn moduli(self) -> (f64, f64) {
         let (a, b) = (self.lower.abs(), self.upper.abs());
         let (near, far) = if a <= b { (a, b) } else { (b, a) };
-        let near = if self.contains(0.0) { 0.0 } else { near };
+        (if self.contains(0.0) { 0.0 } else { near }, far)
+    }
+
+    /// `x²`: never negative.
+    pub fn sqr(self) -> Self {
+        let (near, far) = self.moduli();
         Self { lower: multiply(near, near).0.max(0.0), upper: multiply(far, far).1 }
     }
 
@@ -120,9 +125,7 @@ impl Interval {
         if exponent == 0 {
             return Some(Self::point(1.0));
         }
-        let (a, b) = (self.lower.abs(), self.upper.abs());
-        let (near, far) = if a <= b { (a, b) } else { (b, a) };
-        let near = if self.contains(0.0) { 0.0 } else { near };
+        let (near, far) = self.moduli();
         Some(Self {
             lower: signed_power(near, exponent).lower.max(0.0),
             upper: signed_power(far, exponent).upper,

@@ -4,20 +4,25 @@
 use crate::common_factor::common_square_root;
 use crate::cosine_series::CosineSeries;
 use crate::enclosed_series::EnclosedSeries;
-use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer, quotient_to_f64, ratio, to_f64};
-use crate::stencil::Stencil;
+use crate::polynomial::{Polynomial, Ring};
+use crate::rational::{Rational, common_denominator, integer, numerator_over};
 use crate::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
+use squared_gain::{squared_gain, squared_gain_radius};
+
+mod compiled;
+mod squared_gain;
+
+pub use compiled::{CompiledMargin, growth_from_excess};
 
 /// `(1 + ε)² − |g(φ)|² = s^a (1 − s)^b H(φ)² C^c Σ_j t^j p_j(φ)` with `s = (1 − cos φ)/2` and `t = C^stride`.
 ///
 /// `s^a` is the factor every scheme has that keeps constants (`g(0) = 1`), taken out as often as it
-/// goes; `(1 − s)^b` is there when the shortest wave is neutral whatever the Courant number; `C^c` is there because nothing happens at `C = 0`; the stride is 2 where only even powers of
-/// `C` occur. What is left decides stability: the scheme is stable at `C` exactly when
-/// `P = Σ_j t^j p_j` is nowhere negative on `0 < φ < π`, nor at π.
+/// goes; `(1 − s)^b` is there when the shortest wave is neutral whatever the Courant number; `C^c` is
+/// there because nothing happens at `C = 0`; the stride is 2 where only even powers of `C` occur. What
+/// is left decides stability: the scheme is stable at `C` exactly when `P = Σ_j t^j p_j` is nowhere
+/// negative on `0 < φ < π`, nor at π.
 ///
 /// The `p_j` are cosine series with integer coefficients over one common denominator.
 ///
@@ -65,22 +70,7 @@ impl Margin {
             }
             *values = CosineSeries::new(negated);
         }
-        let mut margin = Self {
-            series,
-            radius: radius
-                .iter()
-                .map(|value| {
-                    (value * Rational::from(denominator_total.clone())).ceil().to_integer()
-                })
-                .collect(),
-            denominator: denominator_total,
-            phase_power: 0,
-            complement_power: 0,
-            neutral_waves: Polynomial::one(),
-            courant_power: 0,
-            stride: 1,
-            growth: growth.clone(),
-        };
+        let mut margin = Self::whole(series, radius.iter(), denominator_total, growth.clone());
         margin.take_out_courant_number();
         if growth.is_zero() && symbol.keeps_constants() {
             margin.take_out_phase(symbol.span());
@@ -94,25 +84,11 @@ impl Margin {
     /// trivially are taken out as from `(1 + ε)² − |g|²`. Here `C` is `t` or, with stride 2, its root.
     pub(crate) fn of_polynomial(powers: &[EnclosedSeries]) -> Self {
         let centers: Vec<_> = powers.iter().map(EnclosedSeries::center).collect();
-        let denominator = centers
-            .iter()
-            .flat_map(CosineSeries::coefficients)
-            .fold(BigInt::one(), |common, value| common.lcm(value.denom()));
-        let whole = Rational::from(denominator.clone());
-        let mut margin = Self {
-            series: centers
-                .iter()
-                .map(|center| center.map(|v| v.numer() * (&denominator / v.denom())))
-                .collect(),
-            radius: powers.iter().map(|p| (p.radius() * &whole).ceil().to_integer()).collect(),
-            denominator,
-            phase_power: 0,
-            complement_power: 0,
-            neutral_waves: Polynomial::one(),
-            courant_power: 0,
-            stride: 1,
-            growth: Rational::zero(),
-        };
+        let denominator = common_denominator(centers.iter().flat_map(CosineSeries::coefficients));
+        let series =
+            centers.iter().map(|center| center.map(|v| numerator_over(v, &denominator))).collect();
+        let radius = powers.iter().map(EnclosedSeries::radius);
+        let mut margin = Self::whole(series, radius, denominator, Rational::zero());
         margin.take_out_courant_number();
         if margin.is_exact() {
             margin.take_out_phase(margin.degree());
@@ -120,6 +96,27 @@ impl Margin {
         margin.take_out_complement();
         margin.take_out_neutral_waves();
         margin
+    }
+
+    /// `Σ_j C^j p_j` with no factor taken out; the radii are rounded up to the unit of the series.
+    fn whole<'a>(
+        series: Vec<CosineSeries<BigInt>>,
+        radius: impl Iterator<Item = &'a Rational>,
+        denominator: BigInt,
+        growth: Rational,
+    ) -> Self {
+        let unit = Rational::from(denominator.clone());
+        Self {
+            series,
+            radius: radius.map(|value| (value * &unit).ceil().to_integer()).collect(),
+            denominator,
+            phase_power: 0,
+            complement_power: 0,
+            neutral_waves: Polynomial::one(),
+            courant_power: 0,
+            stride: 1,
+            growth,
+        }
     }
 
     fn take_out_courant_number(&mut self) {
@@ -179,15 +176,12 @@ impl Margin {
         }
         let square = root.pow(2);
         let quotients: Vec<_> = powers.iter().map(|power| power.divide(&square).0).collect();
-        let common = quotients
-            .iter()
-            .flat_map(Polynomial::coefficients)
-            .fold(BigInt::one(), |all, value| all.lcm(value.denom()));
+        let common = common_denominator(quotients.iter().flat_map(Polynomial::coefficients));
         let degree = self.degree() - 2 * root.degree().unwrap_or(0);
         self.series = quotients
             .iter()
             .map(|quotient| {
-                let integers = quotient.map(|v| v.numer() * (&common / v.denom()));
+                let integers = quotient.map(|v| numerator_over(v, &common));
                 CosineSeries::from_powers_of_s(&integers, degree)
             })
             .collect();
@@ -243,11 +237,7 @@ impl Margin {
 
     /// The degree in `cos φ`.
     pub fn degree(&self) -> usize {
-        self.series
-            .iter()
-            .map(|series| series.coefficients().len().saturating_sub(1))
-            .max()
-            .unwrap_or(0)
+        degree(&self.series)
     }
 
     /// `p_j` as an exact cosine series.
@@ -269,177 +259,18 @@ impl Margin {
     pub fn denominator(&self) -> &BigInt {
         &self.denominator
     }
-
-    /// The numeric form, each coefficient correctly rounded.
-    pub fn compile(&self) -> CompiledMargin {
-        let rounded = |value: &BigInt| quotient_to_f64(value, &self.denominator);
-        CompiledMargin {
-            series: self.series.iter().map(|series| series.map(rounded)).collect(),
-            phase_power: self.phase_power as i32,
-            complement_power: self.complement_power as i32,
-            neutral_waves: {
-                let degree = self.neutral_waves.degree().unwrap_or(0);
-                let scale = ratio(1, 4).pow(degree as i32);
-                CosineSeries::from_powers_of_s(&self.neutral_waves, degree)
-                    .map(|value| to_f64(&(value * &scale)))
-            },
-            courant_power: self.courant_power as i32,
-            stride: self.stride as i32,
-            budget: (1.0 + to_f64(&self.growth)).powi(2),
-        }
-    }
 }
 
-/// [`Margin`] in `f64`. Near `φ = 0` it has no cancellation: the small factor stands outside.
-#[derive(Debug, Clone)]
-pub struct CompiledMargin {
-    series: Vec<CosineSeries<f64>>,
-    phase_power: i32,
-    complement_power: i32,
-    neutral_waves: CosineSeries<f64>,
-    courant_power: i32,
-    stride: i32,
-    budget: f64,
-}
-
-impl CompiledMargin {
-    /// `[p_0(φ), p_1(φ), …]` written into `values`; `phase` in radians.
-    pub fn powers_at(&self, phase: f64, values: &mut Vec<f64>) {
-        let cosine = phase.cos();
-        values.clear();
-        values.extend(self.series.iter().map(|series| series.at_cosine(cosine)));
-    }
-
-    /// The factor `s^a (1 − s)^b H²`.
-    pub fn phase_factor(&self, phase: f64) -> f64 {
-        let (sine, cosine) = (0.5 * phase).sin_cos();
-        let factor = sine.powi(2 * self.phase_power) * cosine.powi(2 * self.complement_power);
-        match self.neutral_waves.coefficients() {
-            [_one] => factor,
-            _ => factor * self.neutral_waves.at_cosine(phase.cos()).powi(2),
-        }
-    }
-
-    /// The factor `C^c`.
-    pub fn courant_factor(&self, courant_number: f64) -> f64 {
-        courant_number.powi(self.courant_power)
-    }
-
-    /// `t = C^stride`.
-    pub fn parameter(&self, courant_number: f64) -> f64 {
-        courant_number.powi(self.stride)
-    }
-
-    /// The number of powers of `t`.
-    pub fn powers(&self) -> usize {
-        self.series.len()
-    }
-
-    /// The degree in `cos φ`.
-    pub fn degree(&self) -> usize {
-        self.series
-            .iter()
-            .map(|series| series.coefficients().len().saturating_sub(1))
-            .max()
-            .unwrap_or(0)
-    }
-
-    /// `(1 + ε)² − |g(φ)|²`.
-    pub fn at(&self, courant_number: f64, phase: f64) -> f64 {
-        let (cosine, parameter) = (phase.cos(), self.parameter(courant_number));
-        let sum = self
-            .series
-            .iter()
-            .rev()
-            .fold(0.0, |sum, series| sum * parameter + series.at_cosine(cosine));
-        self.phase_factor(phase) * self.courant_factor(courant_number) * sum
-    }
-
-    /// `|g| − 1` without cancellation.
-    pub fn growth(&self, courant_number: f64, phase: f64) -> f64 {
-        growth_from_excess(self.budget - 1.0 - self.at(courant_number, phase))
-    }
-}
-
-/// `√(1 + x) − 1` without cancellation: `|g| − 1` from `x = |g|² − 1`.
-pub fn growth_from_excess(excess: f64) -> f64 {
-    let excess = excess.max(-1.0);
-    excess / (1.0 + (1.0 + excess).sqrt())
-}
-
-/// `|g|²` by power of `C` as integer cosine series over the returned denominator:
-/// `|Σ_k c_k e^{ikφ}|² = Σ_m (Σ_k c_k c_{k+m}) e^{−imφ}`.
-fn squared_gain(symbol: &EnclosedSymbol) -> (Vec<CosineSeries<BigInt>>, BigInt) {
-    let stencils = symbol.center().stencils();
-    let common = stencils
-        .iter()
-        .flat_map(|stencil| stencil.terms())
-        .fold(BigInt::one(), |common, (_, value)| common.lcm(value.denom()));
-    let scaled: Vec<Vec<(i64, BigInt)>> = stencils
-        .iter()
-        .map(|stencil| {
-            let terms = stencil.terms().filter(|(_, value)| !value.is_zero());
-            terms.map(|(k, value)| (k, value.numer() * (&common / value.denom()))).collect()
-        })
-        .collect();
-    let mut powers: Vec<Vec<BigInt>> = vec![Vec::new(); (2 * scaled.len()).saturating_sub(1)];
-    for (i, left) in scaled.iter().enumerate() {
-        for (j, right) in scaled.iter().enumerate().skip(i) {
-            let sums = &mut powers[i + j];
-            for (k, a) in left {
-                for (l, b) in right {
-                    let order = (k - l).unsigned_abs() as usize;
-                    if sums.len() <= order {
-                        sums.resize(order + 1, BigInt::zero());
-                    }
-                    // The mixed powers occur twice, once for each order of the factors.
-                    sums[order] += if i == j { a * b } else { (a * b) << 1 };
-                }
-            }
-        }
-    }
-    (powers.into_iter().map(CosineSeries::new).collect(), &common * &common)
-}
-
-/// Bounds on the error of `|g|²` by power of `C`, in the l1 norm of cosine coefficients, from
-/// `|ab − a₀b₀| ≤ |a₀| r_b + |b₀| r_a + r_a r_b` for the even and the odd parts.
-fn squared_gain_radius(symbol: &EnclosedSymbol) -> Vec<Rational> {
-    if symbol.is_exact() {
-        return Vec::new();
-    }
-    // A center may by accident have fewer powers of C than the symbols around it.
-    let mut stencils = symbol.center().stencils().to_vec();
-    stencils.resize(symbol.even_radius().len(), Stencil::zero());
-    // Sums of integers over one denominator: the coefficients are long numbers.
-    let norms = |sign: i64| -> Vec<Rational> {
-        let half_sums = stencils.iter().map(|stencil| {
-            let terms = || stencil.terms().map(|(_, value)| value);
-            let common = terms().fold(BigInt::one(), |common, value| common.lcm(value.denom()));
-            let scaled = stencil.map(|value| value.numer() * (&common / value.denom()));
-            let reach = stencil.reach().map_or(0, |(low, high)| low.abs().max(high.abs()));
-            let sum: BigInt = (-reach..=reach)
-                .map(|k| (scaled.coefficient(k) + scaled.coefficient(-k) * sign).abs())
-                .sum();
-            Rational::new(sum, common * 2)
-        });
-        half_sums.collect()
-    };
-    let mut total = vec![Rational::zero(); 2 * stencils.len() - 1];
-    for (norm, radius) in [(norms(1), symbol.even_radius()), (norms(-1), symbol.odd_radius())] {
-        for i in 0..stencils.len() {
-            for j in 0..stencils.len() {
-                total[i + j] +=
-                    &norm[i] * &radius[j] + &norm[j] * &radius[i] + &radius[i] * &radius[j];
-            }
-        }
-    }
-    total
+/// The largest degree in `cos φ` among the powers of `t`.
+fn degree<T: Ring>(series: &[CosineSeries<T>]) -> usize {
+    series.iter().map(CosineSeries::degree).max().unwrap_or(0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::kernel::Kernel;
+    use crate::rational::{ratio, to_f64};
     use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
     use proptest::prelude::*;
 

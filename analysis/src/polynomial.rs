@@ -52,6 +52,11 @@ impl<T: Ring> Polynomial<T> {
         &self.coefficients
     }
 
+    /// [`coefficients`](Self::coefficients) of a polynomial that is no longer needed.
+    pub fn into_coefficients(self) -> Vec<T> {
+        self.coefficients
+    }
+
     /// The coefficient of `t^degree`.
     pub fn coefficient(&self, degree: usize) -> T {
         self.coefficients.get(degree).cloned().unwrap_or_else(T::zero)

@@ -1,5 +1,5 @@
-//! Exact rational numbers: reading them as a person types them, printing them, and rounding them to
-//! `f64` with a direction.
+//! Exact rational numbers: reading them as a person types them, printing them, bringing them over one
+//! denominator, and rounding them to `f64` with a direction.
 
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
@@ -94,6 +94,24 @@ pub fn ratio(numerator: i64, denominator: i64) -> Rational {
 /// The whole number `value`.
 pub fn integer(value: i64) -> Rational {
     Rational::from(BigInt::from(value))
+}
+
+/// The least common multiple of the denominators; 1 when there are no values.
+///
+/// ```
+/// use courant_analysis::rational::{common_denominator, numerator_over, ratio};
+/// let values = [ratio(1, 6), ratio(-3, 4)];
+/// let common = common_denominator(&values);
+/// assert_eq!(common, 12.into());
+/// assert_eq!(numerator_over(&values[1], &common), (-9).into());
+/// ```
+pub fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Rational>) -> BigInt {
+    values.into_iter().fold(BigInt::one(), |common, value| common.lcm(value.denom()))
+}
+
+/// The numerator of `value` over `denominator`, which is a multiple of its own: no gcd is taken.
+pub fn numerator_over(value: &Rational, denominator: &BigInt) -> BigInt {
+    value.numer() * (denominator / value.denom())
 }
 
 /// The nearest `f64`; infinite only when the number itself is out of range.

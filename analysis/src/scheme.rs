@@ -162,6 +162,12 @@ impl std::str::FromStr for AdvectionScheme {
     }
 }
 
+/// Where limits of these schemes are looked for: Courant numbers up to `10 + 4 l/Δξ`, far beyond any limit,
+/// about `1.2 l/Δξ`.
+pub fn search_range(ratio: &Rational) -> Rational {
+    integer(10) + ratio * integer(4)
+}
+
 /// An advection scheme with its kernel and smoothing ratio `l/Δξ`: everything but the time step.
 ///
 /// ```

@@ -1,11 +1,11 @@
 //! Stencils: Laurent polynomials `Σ_k c_k E^k` in the shift operator `(E u)_i = u_{i+1}`.
 
-use crate::polynomial::Ring;
+use crate::polynomial::{Polynomial, Ring};
 use num_complex::Complex64;
 use num_traits::{One, Zero};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// `Σ_k c_k E^k`, stored from the lowest offset to the highest without zeros at either end.
+/// `Σ_k c_k E^k = E^lowest p(E)`, with a polynomial `p` whose constant term is not zero.
 ///
 /// ```
 /// use courant_analysis::stencil::Stencil;
@@ -16,19 +16,16 @@ use std::ops::{Add, Mul, Neg, Sub};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Stencil<T> {
     lowest: i64,
-    coefficients: Vec<T>,
+    polynomial: Polynomial<T>,
 }
 
 impl<T: Ring> Stencil<T> {
     /// From the lowest offset and the coefficients above it.
     pub fn new(lowest: i64, mut coefficients: Vec<T>) -> Self {
-        while coefficients.last().is_some_and(Zero::is_zero) {
-            coefficients.pop();
-        }
         let leading = coefficients.iter().take_while(|value| value.is_zero()).count();
         coefficients.drain(..leading);
         let lowest = if coefficients.is_empty() { 0 } else { lowest + leading as i64 };
-        Self { lowest, coefficients }
+        Self { lowest, polynomial: Polynomial::new(coefficients) }
     }
 
     /// `E^offset`.
@@ -43,26 +40,24 @@ impl<T: Ring> Stencil<T> {
 
     /// The offsets and their coefficients, ascending; zeros in between included.
     pub fn terms(&self) -> impl Iterator<Item = (i64, &T)> {
-        (self.lowest..).zip(&self.coefficients)
+        (self.lowest..).zip(self.polynomial.coefficients())
     }
 
     /// The coefficient of `E^offset`.
     pub fn coefficient(&self, offset: i64) -> T {
         usize::try_from(offset - self.lowest)
-            .ok()
-            .and_then(|index| self.coefficients.get(index).cloned())
-            .unwrap_or_else(T::zero)
+            .map_or_else(|_| T::zero(), |power| self.polynomial.coefficient(power))
     }
 
     /// The lowest and the highest offset; `None` for the zero stencil.
     pub fn reach(&self) -> Option<(i64, i64)> {
-        let last = self.coefficients.len().checked_sub(1)?;
-        Some((self.lowest, self.lowest + last as i64))
+        let degree = self.polynomial.degree()?;
+        Some((self.lowest, self.lowest + degree as i64))
     }
 
     /// Every coefficient passed through `change`, which may change the ring.
     pub fn map<U: Ring>(&self, change: impl FnMut(&T) -> U) -> Stencil<U> {
-        Stencil::new(self.lowest, self.coefficients.iter().map(change).collect())
+        Stencil::new(self.lowest, self.polynomial.coefficients().iter().map(change).collect())
     }
 
     /// The moment `Σ_k c_k k^power`, with `integer` embedding the integers in the ring.
@@ -93,7 +88,9 @@ impl<T: Ring> Add for Stencil<T> {
         let mut sum = vec![T::zero(); (b.max(d) - lowest + 1) as usize];
         for stencil in [self, other] {
             let start = (stencil.lowest - lowest) as usize;
-            for (target, value) in sum[start..].iter_mut().zip(stencil.coefficients) {
+            for (target, value) in
+                sum[start..].iter_mut().zip(stencil.polynomial.into_coefficients())
+            {
                 *target = target.clone() + value;
             }
         }
@@ -104,8 +101,7 @@ impl<T: Ring> Add for Stencil<T> {
 impl<T: Ring> Neg for Stencil<T> {
     type Output = Self;
     fn neg(self) -> Self {
-        let coefficients = self.coefficients.into_iter().map(Neg::neg).collect();
-        Self { lowest: self.lowest, coefficients }
+        Self { lowest: self.lowest, polynomial: -self.polynomial }
     }
 }
 
@@ -119,25 +115,17 @@ impl<T: Ring> Sub for Stencil<T> {
 impl<T: Ring> Mul for Stencil<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        if self.is_zero() || other.is_zero() {
-            return Self::zero();
-        }
-        let mut product = vec![T::zero(); self.coefficients.len() + other.coefficients.len() - 1];
-        for (i, left) in self.coefficients.iter().enumerate() {
-            for (j, right) in other.coefficients.iter().enumerate() {
-                product[i + j] = product[i + j].clone() + left.clone() * right.clone();
-            }
-        }
-        Self::new(self.lowest + other.lowest, product)
+        let product = self.polynomial * other.polynomial;
+        Self::new(self.lowest + other.lowest, product.into_coefficients())
     }
 }
 
 impl<T: Ring> Zero for Stencil<T> {
     fn zero() -> Self {
-        Self { lowest: 0, coefficients: Vec::new() }
+        Self { lowest: 0, polynomial: Polynomial::zero() }
     }
     fn is_zero(&self) -> bool {
-        self.coefficients.is_empty()
+        self.polynomial.is_zero()
     }
 }
 

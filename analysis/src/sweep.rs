@@ -31,6 +31,27 @@ pub enum SweepError {
     Ratio(#[from] RatioOutOfRange),
 }
 
+/// The results of `work` on all items, in parallel and in their order; the callback hears of each.
+///
+/// # Errors
+/// The error of an item, or that the callback stopped the work.
+pub fn with_progress<Item, T: Send>(
+    items: impl IndexedParallelIterator<Item = Item>,
+    progress: Progress<'_>,
+    work: impl Fn(Item) -> Result<T, SweepError> + Sync + Send,
+) -> Result<Vec<T>, SweepError> {
+    let (all, done) = (items.len(), AtomicUsize::new(0));
+    items
+        .map(|item| {
+            let result = work(item)?;
+            match progress(done.fetch_add(1, Ordering::Relaxed) + 1, all) {
+                ControlFlow::Continue(()) => Ok(result),
+                ControlFlow::Break(()) => Err(SweepError::Cancelled),
+            }
+        })
+        .collect()
+}
+
 /// The extreme amplification factors over the plane; every array is `[ratio, Courant number]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GainMap {
@@ -66,23 +87,14 @@ pub fn gain_map(
         lowest_gain: Array2::zeros(shape),
         lowest_gain_phase: Array2::zeros(shape),
     };
-    let done = AtomicUsize::new(0);
-    let rows: Result<Vec<_>, SweepError> = ratios
-        .par_iter()
-        .map(|ratio| {
-            let symbol = Discretisation::new(scheme, kernel, ratio.clone())?.symbol();
-            let table = PhaseTable::new(Margin::new(&symbol, &integer(0)).compile(), phases);
-            let mut scratch = Vec::new();
-            let row: Vec<_> =
-                courant_numbers.iter().map(|&c| table.extrema(c, &mut scratch)).collect();
-            let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
-            match progress(finished, ratios.len()) {
-                ControlFlow::Continue(()) => Ok(row),
-                ControlFlow::Break(()) => Err(SweepError::Cancelled),
-            }
-        })
-        .collect();
-    for (index, row) in rows?.into_iter().enumerate() {
+    let rows = with_progress(ratios.par_iter(), progress, |ratio| {
+        let symbol = Discretisation::new(scheme, kernel, ratio.clone())?.symbol();
+        let table = PhaseTable::new(Margin::new(&symbol, &integer(0)).compile(), phases);
+        let mut scratch = Vec::new();
+        let extrema = courant_numbers.iter().map(|&c| table.extrema(c, &mut scratch));
+        Ok(extrema.collect::<Vec<_>>())
+    })?;
+    for (index, row) in rows.into_iter().enumerate() {
         Zip::from(map.growth.index_axis_mut(Axis(0), index))
             .and(map.growth_phase.index_axis_mut(Axis(0), index))
             .and(map.lowest_gain.index_axis_mut(Axis(0), index))

@@ -47,7 +47,7 @@ fn amplification(phase: f64, courant: f64, damping: f64) -> f64 {
 /// Four maps with limit curve, published points and one colour bar.
 fn maps() -> Result<Figure, FigureError> {
     let edges = vec![0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0];
-    let bands = Bands::two_sided(edges, 1.0)?.extend_above(Color::rgb(92, 8, 18));
+    let bands = Bands::two_sided(edges, 1.0)?.extend_above(Color::DARK_RED);
     let mut figure = Figure::grid(2, 2)
         .size(7.0, 5.8)
         .title("Amplification per step of a damped Lax–Wendroff scheme")

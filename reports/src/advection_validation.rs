@@ -1,11 +1,13 @@
 //! Predicted against measured for the advection schemes: which cases to run, and the answer as JSON.
 
+use crate::number::finite;
 use courant_analysis::limit::{stability_limit, stable_set};
 use courant_analysis::rational::{Rational, from_f64, integer, to_f64, to_text};
-use courant_analysis::scheme::{Discretisation, Scheme};
+use courant_analysis::scheme::{Discretisation, Scheme, search_range};
 use courant_simulation::advection::{
     Fault, ModeRow, PathKind, Validation, ValidationError, ValidationPlan, validate,
 };
+use num_complex::Complex64;
 use num_traits::Zero;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -65,7 +67,7 @@ pub struct ValidationCase {
 impl ValidationCase {
     /// A case at a Courant number asked for.
     pub fn at(discretisation: Discretisation, courant: &Rational, settings: Settings) -> Self {
-        let range = range(&discretisation).max(courant * integer(2));
+        let range = search_range(discretisation.ratio()).max(courant * integer(2));
         let set = stable_set(&discretisation.symbol(), &Rational::zero(), &range);
         let regime = if set.limit().value() == to_f64(courant) {
             Regime::Neutral
@@ -80,7 +82,9 @@ impl ValidationCase {
     /// Three cases: at half the stability limit, at the limit, and at one and a half times the limit.
     /// Where there is no stable Courant number, all three (at 1/2, 1 and 3/2) are unstable.
     pub fn about_the_limit(discretisation: &Discretisation, settings: Settings) -> Vec<Self> {
-        let limit = stability_limit(&discretisation.symbol(), &range(discretisation)).value();
+        let limit =
+            stability_limit(&discretisation.symbol(), &search_range(discretisation.ratio()))
+                .value();
         // No neighbour counts where there is no end to the stable numbers: every number is neutral.
         let (limit, regimes) = if limit == 0.0 {
             (1.0, [Regime::Unstable; 3])
@@ -116,11 +120,6 @@ impl ValidationCase {
             .filter(|text| text.len() <= 8)
             .unwrap_or_else(|| crate::number::significant(courant, 8))
     }
-}
-
-/// Courant numbers searched for a limit: far beyond any of the schemes here, about 1.2 l/Δξ.
-fn range(discretisation: &Discretisation) -> Rational {
-    integer(10) + discretisation.ratio() * integer(4)
 }
 
 /// A case and what came of it.
@@ -164,6 +163,13 @@ pub struct FactorRecord {
     pub gain: Option<f64>,
     /// `arg g` in radians.
     pub phase: Option<f64>,
+}
+
+impl FactorRecord {
+    /// The record of a factor.
+    pub fn new(factor: Complex64) -> Self {
+        Self { gain: finite(factor.norm()), phase: finite(factor.arg()) }
+    }
 }
 
 /// One mode of one case as JSON.
@@ -234,7 +240,6 @@ pub struct ValidationRecord {
 impl ValidationRecord {
     /// The record of some cases.
     pub fn new(settings: Settings, cases: &[ValidatedCase]) -> Self {
-        let finite = |value: f64| value.is_finite().then_some(value);
         let records: Vec<CaseRecord> = cases
             .iter()
             .map(|case| {
@@ -283,8 +288,6 @@ fn names(case: &ValidatedCase) -> (&'static str, &'static str, String, f64) {
 
 fn mode_record(case: &ValidatedCase, row: &ModeRow) -> ModeRecord {
     let (scheme, kernel, ratio, cfl) = names(case);
-    let finite = |value: f64| value.is_finite().then_some(value);
-    let factor = |gain: f64, phase: f64| FactorRecord { gain: finite(gain), phase: finite(phase) };
     ModeRecord {
         scheme,
         kernel,
@@ -292,8 +295,8 @@ fn mode_record(case: &ValidatedCase, row: &ModeRow) -> ModeRecord {
         cfl,
         mode: row.mode,
         phase: row.phase,
-        predicted: factor(row.predicted.norm(), row.predicted.arg()),
-        measured: factor(row.measured.norm(), row.measured.arg()),
+        predicted: FactorRecord::new(row.predicted),
+        measured: FactorRecord::new(row.measured),
         error: finite(row.error),
     }
 }

@@ -1,6 +1,7 @@
 //! A run of gas dynamics as files: profile, picture, record.
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Note, Panel};
+use crate::number::finite;
 use crate::run_record::{ConservationRecord, ErrorNorms, RunRecord};
 use courant_simulation::comparison::Comparison;
 use courant_simulation::method::Method;
@@ -62,10 +63,6 @@ pub fn settings(method: &Method) -> String {
             )
         }
     }
-}
-
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
 }
 
 /// The record of a run. A run that broke down has no error norms: what it left is no approximation of

@@ -10,6 +10,7 @@ pub mod cha_whitworth2003;
 pub mod ferrari2008;
 pub mod figure;
 pub mod gas_run;
+mod markup;
 pub mod npy;
 pub mod number;
 pub mod page;
@@ -19,6 +20,7 @@ pub mod publish;
 pub mod record;
 pub mod run_record;
 pub mod stability_map;
+pub mod step_map;
 pub mod table;
 pub mod wave_map;
 

@@ -1,4 +1,9 @@
-//! Numbers as people read them.
+//! Numbers as people and scripts read them.
+
+/// A number for JSON, which has none that is not finite.
+pub fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
 
 /// A number with a fixed count of significant digits, in scientific notation when it is very small or
 /// very large.

@@ -2,8 +2,9 @@
 //! they show.
 
 use crate::figure::{Figure, FigureError};
+use crate::markup::escaped;
 use crate::publish::{OutputDirectory, PublishError};
-use crate::table::{Table, html_text};
+use crate::table::Table;
 
 /// One thing a report shows.
 #[derive(Debug, Clone)]
@@ -135,33 +136,33 @@ impl Page {
 
     /// The page as HTML.
     pub fn to_html(&self) -> String {
-        let title = html_text(&self.title);
+        let title = escaped(&self.title);
         let mut text = format!(
             "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
         );
         for section in &self.sections {
-            text.push_str(&format!("<h2>{}</h2>\n", html_text(&section.title)));
+            text.push_str(&format!("<h2>{}</h2>\n", escaped(&section.title)));
             for item in &section.items {
                 text.push_str(&match item {
-                    Item::Paragraph(paragraph) => format!("<p>{}</p>\n", html_text(paragraph)),
+                    Item::Paragraph(paragraph) => format!("<p>{}</p>\n", escaped(paragraph)),
                     Item::Table { name, table, command } => format!(
                         "<p class=\"caption\"><strong>{}</strong></p>\n{}<p class=\"files\">Data: \
                          <a href=\"{name}.csv\">CSV</a>, <a href=\"{name}.tex\">LaTeX</a>. Made by <code>{}</code>.</p>\n",
-                        html_text(table.caption()),
+                        escaped(table.caption()),
                         table.to_html(),
-                        html_text(command)
+                        escaped(command)
                     ),
                     Item::Figure { name, caption, data, command, .. } => format!(
                         "<figure>\n<a href=\"{name}.svg\"><img src=\"{name}.png\" alt=\"{0}\"></a>\n\
                          <figcaption>{0}</figcaption>\n<p class=\"files\">{1}. Made by <code>{2}</code>.</p>\n</figure>\n",
-                        html_text(caption),
+                        escaped(caption),
                         links(name, data)
                             .map(|(label, file)| format!("<a href=\"{file}\">{label}</a>"))
                             .collect::<Vec<_>>()
                             .join(", "),
-                        html_text(command)
+                        escaped(command)
                     ),
                 });
             }

@@ -1,6 +1,6 @@
 //! Results as the JSON objects that scripts rely on. The keys are a contract: add, do not rename.
 
-use crate::number::significant;
+use crate::number::{finite, significant};
 use courant_analysis::consistency::consistency;
 use courant_analysis::limit::{Evidence, Limit, StableSet};
 use courant_analysis::rational::{to_f64, to_latex, to_text};
@@ -38,7 +38,6 @@ pub struct LimitRecord {
 
 impl From<&Limit> for LimitRecord {
     fn from(limit: &Limit) -> Self {
-        let finite = |value: f64| value.is_finite().then_some(value);
         let unlimited = limit.value().is_infinite();
         Self {
             value: finite(limit.value()),
@@ -104,7 +103,6 @@ pub struct LimitsRow {
 
 /// The stable intervals of a set.
 pub fn intervals(set: &StableSet) -> Vec<IntervalRecord> {
-    let finite = |value: f64| value.is_finite().then_some(value);
     set.intervals
         .iter()
         .map(|interval| IntervalRecord {

@@ -7,8 +7,8 @@ use crate::figure::{
 use crate::npy;
 use courant_analysis::kernel::Kernel;
 use courant_analysis::limit::{monotonicity_limit, stable_set};
-use courant_analysis::rational::{Rational, integer, ratio, to_f64, to_text};
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant_analysis::rational::{Rational, ratio, to_f64, to_text};
+use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant_analysis::sweep::{GainMap, Progress, SweepError, gain_map};
 use ndarray::Array2;
 use num_traits::Zero;
@@ -72,7 +72,7 @@ pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityM
         .par_iter()
         .map(|l| {
             let symbol = Discretisation::new(plan.scheme, plan.kernel, l.clone())?.symbol();
-            let range = integer(10) + l * integer(4);
+            let range = search_range(l);
             let at = |growth: &Rational| {
                 (to_f64(l), stable_set(&symbol, growth, &range).limit().value())
             };
@@ -111,8 +111,6 @@ impl StabilityMap {
     pub fn panel(&self, title: &str, published: &[PublishedPoint]) -> Result<Panel, FigureError> {
         let ratios: Vec<f64> = self.plan.ratios.iter().map(to_f64).collect();
         let courant_numbers: Vec<f64> = self.plan.courant_numbers.iter().map(to_f64).collect();
-        let range = |values: &[f64]| (values[0], values[values.len() - 1]);
-        let ((left, right), (bottom, top)) = (range(&ratios), range(&courant_numbers));
         let budget = DRAWN_GROWTH.0 as f64 / DRAWN_GROWTH.1 as f64;
         // Each side of the limit is contoured by itself: a band must not be smeared across the jump.
         let side = |unstable: bool| {
@@ -131,8 +129,8 @@ impl StabilityMap {
         let whole = Field::new(ratios.clone(), courant_numbers.clone(), self.extreme_gain())?;
         let levels = |above: bool| LEVELS.into_iter().filter(move |level| (*level > 1.0) == above);
         let mut panel = Panel::new(
-            Axis::linear("smoothing ratio l/Δξ").range(left, right),
-            Axis::linear("Courant number C").range(bottom, top),
+            Axis::linear("smoothing ratio l/Δξ").spanning(&ratios),
+            Axis::linear("Courant number C").spanning(&courant_numbers),
         )
         .title(title)
         .layer(FilledContours::new(whole, bands()?))
@@ -251,7 +249,7 @@ pub const COLOR_BAR_LABEL: &str =
 /// # Errors
 /// Never: the edges ascend and contain 1.
 pub fn bands() -> Result<Bands, FigureError> {
-    Ok(Bands::two_sided(EDGES.to_vec(), 1.0)?.extend_above(Color::rgb(92, 8, 18)))
+    Ok(Bands::two_sided(EDGES.to_vec(), 1.0)?.extend_above(Color::DARK_RED))
 }
 
 /// Which limit a published value claims.

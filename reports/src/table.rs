@@ -1,5 +1,7 @@
 //! Tables that can be read in a terminal, in Markdown, in LaTeX and by a spreadsheet.
 
+use crate::markup::escaped;
+
 /// How a column is set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Align {
@@ -173,7 +175,7 @@ impl Table {
                 .zip(self.alignments())
                 .map(|(text, align)| {
                     let class = if align == Align::Right { " class=\"number\"" } else { "" };
-                    format!("<{tag}{class}>{}</{tag}>", html_text(text))
+                    format!("<{tag}{class}>{}</{tag}>", escaped(text))
                 })
                 .collect()
         };
@@ -189,11 +191,6 @@ impl Table {
 /// Columns in a terminal: every character here is one wide.
 fn width(text: &str) -> usize {
     text.chars().count()
-}
-
-/// Text with the characters HTML reserves replaced.
-pub(crate) fn html_text(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Text with the characters LaTeX reserves escaped and the Greek of this project in mathematics.

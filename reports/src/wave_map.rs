@@ -1,5 +1,4 @@
-//! Maps of sound waves in particle methods: phase error over the (κ, h) plane, amplitude over (κ, α), the
-//! largest stable time step over (h, α).
+//! Maps of sound waves in particle methods: phase error over the (κ, h) plane, amplitude over (κ, α).
 
 use crate::figure::{
     Axis, Bands, Color, ColorBar, ColorMap, Field, Figure, FigureError, FilledContours, Isolines,
@@ -8,17 +7,13 @@ use crate::figure::{
 use crate::npy;
 use courant_analysis::dispersion::WaveScheme;
 use courant_analysis::dispersion::sweep::{
-    Quantity, over_phase_and_ratio, over_phase_and_viscosity, stable_step_map,
+    Quantity, over_phase_and_ratio, over_phase_and_viscosity,
 };
-use courant_analysis::integrator::Integrator;
 use courant_analysis::rational::{Rational, to_f64};
 use courant_analysis::sweep::{Progress, SweepError};
 use ndarray::Array2;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
-
-/// Time steps `c Δt/h` are looked at up to this one: no integrator here comes near it from `h = Δ/2` on.
-pub const MAX_STEP: f64 = 8.0;
 
 /// Above this the damping ratio is drawn as this: its contour at 1 must not meet an infinite node.
 const LARGEST_DAMPING_RATIO: f64 = 4.0;
@@ -125,15 +120,16 @@ impl WaveMap {
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
         let field =
             |values: Array2<f64>| Field::new(self.kappas.clone(), self.second.clone(), values);
-        let (x, y) = (range(&self.kappas), range(&self.second));
         let name = match self.shown {
             Shown::PhaseError => "smoothing ratio h/Δ",
             Shown::Amplitude => "viscosity coefficient α",
         };
-        let mut panel =
-            Panel::new(wave_number_axis().range(x.0, x.1), Axis::linear(name).range(y.0, y.1))
-                .title(title)
-                .layer(FilledContours::new(field(self.values.clone())?, self.bands()?));
+        let mut panel = Panel::new(
+            wave_number_axis().spanning(&self.kappas),
+            Axis::linear(name).spanning(&self.second),
+        )
+        .title(title)
+        .layer(FilledContours::new(field(self.values.clone())?, self.bands()?));
         // Where nothing travels the error is 1 by definition: its isolines would only crowd the border.
         let mut travelling = self.values.clone();
         travelling.zip_mut_with(&self.damping_ratio, |value, ratio| {
@@ -185,8 +181,8 @@ impl WaveMap {
             }
             Shown::Amplitude => {
                 let edges = (0..=10).map(|tenths| f64::from(tenths) / 10.0).collect();
-                let grows = Color::rgb(92, 8, 18);
-                Bands::sequential(edges, ColorMap::Viridis).map(|bands| bands.extend_above(grows))
+                Bands::sequential(edges, ColorMap::Viridis)
+                    .map(|bands| bands.extend_above(Color::DARK_RED))
             }
         }
     }
@@ -244,102 +240,10 @@ pub fn wave_number_axis() -> Axis {
     ])
 }
 
-fn range(values: &[f64]) -> (f64, f64) {
-    (values[0], values[values.len() - 1])
-}
-
 /// The regions where a field is at least `level`.
 fn regions(field: &Field, level: f64) -> impl Iterator<Item = Region> + use<> {
     let ring_region = |ring: Vec<[f64; 2]>| Region::polygon(ring.into_iter().map(|p| (p[0], p[1])));
     field.region_at_least(level).into_iter().map(ring_region)
-}
-
-/// The largest stable `c Δt/h` over `(h, α)` for one integrator; arrays are `[h, α]`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StepMap {
-    /// The integrator.
-    pub integrator: Integrator,
-    /// `h/Δ`, ascending.
-    pub ratios: Vec<f64>,
-    /// α, ascending.
-    pub alphas: Vec<f64>,
-    /// The largest step no sampled wave finds unstable.
-    pub steps: Array2<f64>,
-}
-
-/// Computes the map; `scheme` is SPH with α = 1. Looked at on a grid of phases, not proved.
-///
-/// # Errors
-/// When a ratio is out of range or the callback stops the sweep.
-pub fn step_map(
-    scheme: &WaveScheme,
-    integrator: Integrator,
-    ratios: &[Rational],
-    alphas: &[f64],
-    progress: Progress<'_>,
-) -> Result<StepMap, SweepError> {
-    let steps = stable_step_map(scheme, integrator, ratios, alphas, MAX_STEP, progress)?;
-    let ratios = ratios.iter().map(to_f64).collect();
-    Ok(StepMap { integrator, ratios, alphas: alphas.to_vec(), steps })
-}
-
-impl StepMap {
-    /// The panel: bands and isolines.
-    ///
-    /// # Errors
-    /// When the axes have too few points to draw.
-    pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
-        let field = Field::new(self.ratios.clone(), self.alphas.clone(), self.steps.clone())?;
-        let (x, y) = (range(&self.ratios), range(&self.alphas));
-        let levels = [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4];
-        Ok(Panel::new(
-            Axis::linear("smoothing ratio h/Δ").range(x.0, x.1),
-            Axis::linear("viscosity α").range(y.0, y.1),
-        )
-        .title(title)
-        .layer(FilledContours::new(field.clone(), Self::bands()?))
-        .layer(Isolines::new(field, levels).width(0.6)))
-    }
-
-    /// The bands of the colour bar.
-    ///
-    /// # Errors
-    /// Never: the edges ascend.
-    pub fn bands() -> Result<Bands, FigureError> {
-        let edges = vec![0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.8];
-        Bands::sequential(edges, ColorMap::Viridis)
-            .map(|bands| bands.extend_above(ColorMap::Viridis.at(1.0)))
-    }
-
-    /// The colour bar.
-    ///
-    /// # Errors
-    /// Never: the edges ascend.
-    pub fn color_bar() -> Result<ColorBar, FigureError> {
-        Ok(ColorBar::new(Self::bands()?, "largest stable c Δt/h"))
-    }
-
-    /// The figure with one panel.
-    ///
-    /// # Errors
-    /// When the axes have too few points to draw.
-    pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
-        Ok(Figure::single(self.panel(title)?)
-            .size(5.2, 4.0)
-            .color_bar(Self::color_bar()?, Side::Right))
-    }
-
-    /// Every data file of the map: names that begin with `stem`, and contents.
-    pub fn data_files(&self, stem: &str) -> Vec<(String, Vec<u8>)> {
-        let mut text = String::from("ratio,alpha,stable_step\n");
-        for ((i, j), step) in self.steps.indexed_iter() {
-            text.push_str(&format!("{},{},{step}\n", self.ratios[i], self.alphas[j]));
-        }
-        vec![
-            (format!("{stem}.csv"), text.into_bytes()),
-            (format!("{stem}_stable_step.npy"), npy::encode(&self.steps)),
-        ]
-    }
 }
 
 #[cfg(test)]
@@ -381,16 +285,5 @@ mod tests {
         assert!(map.damping_ratio.column(0).iter().all(|value| value.is_finite()));
         assert!(map.damping_ratio.column(2).iter().any(|value| value.is_nan()));
         assert!(map.figure("waves").unwrap().svg().unwrap().contains("lattice unstable"));
-    }
-
-    #[test]
-    fn steps_are_limits() {
-        let viscous = scheme(WaveMethod::SphAv { alpha: integer(1) }, Kernel::CubicSpline);
-        let ratios = [integer(1), integer(2)];
-        let map = step_map(&viscous, Integrator::LeapfrogKdk, &ratios, &[0.0, 2.0], &no_progress)
-            .unwrap();
-        // At h = Δ without viscosity ω0² ≤ 8 c²/Δ²; at h = 2Δ with α = 2 the limit 3/4 is proved.
-        assert!((map.steps[[0, 0]] - 0.5f64.sqrt()).abs() < 1e-9);
-        assert!((map.steps[[1, 1]] - 0.75).abs() < 1e-6);
     }
 }

@@ -1,8 +1,6 @@
 //! Prints errors, conservation and work of every particle method on every scene.
 
-use courant_simulation::particles::{
-    MethodOptions, PARTICLE_SCENES, ParticleMethod, ParticleScene, run_particles,
-};
+use courant_simulation::particles::{MethodOptions, ParticleMethod, ParticleScene, run_particles};
 
 fn main() {
     println!(
@@ -20,8 +18,7 @@ fn main() {
         "pairs",
         "it"
     );
-    for name in PARTICLE_SCENES {
-        let scene = ParticleScene::named(name).expect("it is in the list");
+    for scene in ParticleScene::all() {
         for method in ParticleMethod::ALL {
             let options = MethodOptions::new(method);
             let run = run_particles(&scene, scene.particles, &options).expect("default options");
@@ -32,7 +29,8 @@ fn main() {
             let per_pair =
                 run.counters.riemann_iterations as f64 / run.counters.interactions as f64;
             println!(
-                "{name:20} {:5} {:7} {:>9} {:>9} {:>9} {:>9} {:8.1e} {:>8} {:4} {:9} {per_pair:5.2}  {}",
+                "{:20} {:5} {:7} {:>9} {:>9} {:>9} {:>9} {:8.1e} {:>8} {:4} {:9} {per_pair:5.2}  {}",
+                scene.name,
                 method.name(),
                 run.steps,
                 number(errors.map(|e| e.density)),

@@ -2,7 +2,7 @@
 
 mod waves;
 
-use super::limits::{binding_wave, default_range};
+use super::limits::binding_wave;
 use super::output::{Format, print, print_json, table_text};
 use super::subject::{Subject, SubjectOptions};
 use super::{Failure, Outcome, names, numbers};
@@ -11,11 +11,12 @@ use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::Limit;
 use courant::analysis::limit::stable_set;
 use courant::analysis::rational::{Rational, to_f64, to_text};
-use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant::analysis::verdict::{Check, Verdict, check};
 use courant::reports::number::significant;
 use courant::reports::record::CheckRecord;
 use courant::reports::table::{Align, Table};
+use serde::Serialize;
 
 #[derive(Debug, Args)]
 pub struct Arguments {
@@ -49,30 +50,38 @@ fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome,
     let discretisation = Discretisation::new(scheme, arguments.kernel, arguments.ratio.clone())
         .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
     let symbol = discretisation.symbol();
-    let range = default_range(&arguments.ratio);
+    let range = search_range(&arguments.ratio);
     let found = check(&symbol, &arguments.cfl, &range);
     let within_budget = arguments.growth.as_ref().map(|growth| {
         let range = range.max(&arguments.cfl * Rational::from_integer(2.into()));
         stable_set(&symbol, growth, &range).contains(&arguments.cfl)
     });
     let record = CheckRecord::new(&discretisation, to_f64(&arguments.cfl), &found);
-    match arguments.format {
-        Format::Json => print_json("check", &record)?,
-        format => {
-            let table = table(arguments, scheme, &found, within_budget);
-            print(&table_text(&table, format).unwrap_or_default())?
-        }
+    let table = table(arguments, scheme, &found);
+    conclude(arguments, &record, table, found.verdict, within_budget)
+}
+
+/// Prints the answer. It is yes when the growth is within the budget or, without one, when no wave grows.
+fn conclude(
+    arguments: &Arguments,
+    record: &impl Serialize,
+    mut table: Table,
+    verdict: Verdict,
+    within_budget: Option<bool>,
+) -> Result<Outcome, Failure> {
+    if let (Some(within), Some(growth)) = (within_budget, &arguments.growth) {
+        let name = format!("growth within {}", significant(to_f64(growth), 3));
+        table.push([name, if within { "yes" } else { "no" }.into()]);
+    }
+    match table_text(&table, arguments.format) {
+        Some(text) => print(&text)?,
+        None => print_json("check", record)?,
     };
-    let accepted = within_budget.unwrap_or_else(|| found.verdict.is_stable());
+    let accepted = within_budget.unwrap_or_else(|| verdict.is_stable());
     Ok(if accepted { Outcome::Yes } else { Outcome::No })
 }
 
-fn table(
-    arguments: &Arguments,
-    scheme: AdvectionScheme,
-    found: &Check,
-    within_budget: Option<bool>,
-) -> Table {
+fn table(arguments: &Arguments, scheme: AdvectionScheme, found: &Check) -> Table {
     let caption = format!(
         "{}, {}, l/Δξ = {}, C = {}: {}",
         scheme.title(),
@@ -108,20 +117,25 @@ fn table(
         };
         add("fastest growing wave", wave);
     }
-    if let (Some(within), Some(growth)) = (within_budget, &arguments.growth) {
-        let answer = if within { "yes" } else { "no" };
-        add(&format!("growth within {}", significant(to_f64(growth), 3)), answer.into());
-    }
     table
 }
 
 fn headline(found: &Check) -> String {
-    let monotone = if found.monotone { "monotone" } else { "not monotone" };
-    match found.verdict {
-        Verdict::Stable => format!("stable, {monotone}"),
-        Verdict::Marginal => format!("marginally stable, {monotone}"),
-        Verdict::WeaklyUnstable => "weakly unstable".into(),
-        Verdict::Unstable => "unstable".into(),
+    let verdict = words(found.verdict);
+    match (found.verdict.is_stable(), found.monotone) {
+        (true, true) => format!("{verdict}, monotone"),
+        (true, false) => format!("{verdict}, not monotone"),
+        (false, _) => verdict.into(),
+    }
+}
+
+/// The verdict as people say it.
+fn words(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Stable => "stable",
+        Verdict::Marginal => "marginally stable",
+        Verdict::WeaklyUnstable => "weakly unstable",
+        Verdict::Unstable => "unstable",
     }
 }
 

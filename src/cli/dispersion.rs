@@ -2,7 +2,7 @@
 
 use super::numbers::{self, Numbers};
 use super::output::{Format, print, print_json, table_text};
-use super::waves::{self, DensityName, MethodName, finite};
+use super::waves::{self, DensityName, MethodName};
 use super::{Failure, Outcome, names};
 use clap::{Args, ValueEnum};
 use courant::analysis::dispersion::{
@@ -11,7 +11,7 @@ use courant::analysis::dispersion::{
 use courant::analysis::integrator::Integrator;
 use courant::analysis::kernel::Kernel;
 use courant::analysis::rational::{Rational, integer, to_f64, to_text};
-use courant::reports::number::significant;
+use courant::reports::number::{finite, significant};
 use courant::reports::table::{Align, Table};
 use num_traits::Signed;
 use rayon::prelude::*;

@@ -1,6 +1,7 @@
 //! What can go wrong, as one clear line each.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use courant::analysis::dispersion::NoSchemeRuns;
 use courant::reports::figure::FigureError;
 use courant::reports::page::PageError;
 use courant::reports::publish::PublishError;
@@ -29,6 +30,12 @@ impl From<std::io::Error> for Failure {
             std::io::ErrorKind::BrokenPipe => Self::ClosedPipe,
             _ => Self::Message(error.to_string()),
         }
+    }
+}
+
+impl From<NoSchemeRuns> for Failure {
+    fn from(error: NoSchemeRuns) -> Self {
+        Self::Message(format!("--form published: {error}"))
     }
 }
 

@@ -14,10 +14,10 @@ use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::{
     Limit, StableSet, growth_limit, monotonicity_limit, sampled_stability_limit, stable_set,
 };
-use courant::analysis::rational::{Rational, integer, to_f64, to_text};
-use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::analysis::rational::{Rational, to_f64, to_text};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant::reports::certificate_file;
-use courant::reports::number::significant;
+use courant::reports::number::{finite, significant};
 use courant::reports::record::{
     GrowthRecord, IntervalRecord, LimitsRow, exact_latex, intervals, undecided,
 };
@@ -55,8 +55,8 @@ pub struct Arguments {
 }
 
 #[derive(Debug, Serialize)]
-struct Rows {
-    rows: Vec<LimitsRow>,
+struct Rows<R> {
+    rows: Vec<R>,
 }
 
 /// Everything about one kernel and ratio.
@@ -70,11 +70,6 @@ struct Answer {
     keeps_constants: bool,
 }
 
-/// The Courant numbers searched by default: far beyond any limit of the schemes here, about 1.2 l/Δξ.
-pub fn default_range(ratio: &Rational) -> Rational {
-    integer(10) + ratio * integer(4)
-}
-
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     match arguments.subject.subject()? {
         Subject::Scheme(scheme) => run_scheme(arguments, scheme),
@@ -83,29 +78,57 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome, Failure> {
-    let cases: Vec<(Kernel, Rational)> = arguments
-        .kernel
-        .0
-        .iter()
-        .flat_map(|kernel| arguments.ratio.0.iter().map(move |ratio| (*kernel, ratio.clone())))
-        .collect();
-    let answers: Result<Vec<Answer>, Failure> = cases
-        .into_par_iter()
-        .map(|(kernel, ratio)| answer(arguments, scheme, kernel, ratio))
-        .collect();
-    let answers = answers?;
+    let answers =
+        answers(arguments, |kernel, ratio| answer(arguments, scheme, kernel, ratio.clone()))?;
     if let Some(file) = &arguments.certificate {
         write_certificates(arguments, file, &answers)?;
     }
-    match table_text(&table(arguments, scheme, &answers), arguments.format) {
+    let table = table(arguments, scheme, &answers);
+    show(arguments, &table, &remarks(&answers), || answers.iter().map(row).collect())
+}
+
+/// What there is to say about every kernel at every ratio.
+fn answers<T: Send>(
+    arguments: &Arguments,
+    answer: impl Fn(Kernel, &Rational) -> Result<T, Failure> + Sync,
+) -> Result<Vec<T>, Failure> {
+    let kernels = arguments.kernel.0.iter();
+    let cases: Vec<(Kernel, &Rational)> = kernels
+        .flat_map(|kernel| arguments.ratio.0.iter().map(move |ratio| (*kernel, ratio)))
+        .collect();
+    cases.into_par_iter().map(|(kernel, ratio)| answer(kernel, ratio)).collect()
+}
+
+/// Prints the table with the remarks below it, or the rows as JSON.
+fn show<R: Serialize>(
+    arguments: &Arguments,
+    table: &Table,
+    remarks: &[String],
+    rows: impl FnOnce() -> Vec<R>,
+) -> Result<Outcome, Failure> {
+    match table_text(table, arguments.format) {
         Some(mut text) => {
-            if arguments.format == Format::Table {
-                text.push_str(&remarks(&answers));
+            if arguments.format == Format::Table && !remarks.is_empty() {
+                text.push_str(&format!("\n{}\n", remarks.join("\n")));
             }
             print(&text)
         }
-        None => print_json("limits", &Rows { rows: answers.iter().map(row).collect() }),
+        None => print_json("limits", &Rows { rows: rows() }),
     }
+}
+
+/// The growth budgets asked for.
+fn budgets(arguments: &Arguments) -> &[Rational] {
+    arguments.growth.as_ref().map_or(&[], |numbers| &numbers.0)
+}
+
+/// A table with a column for each growth budget after the others.
+fn table_with_budgets(arguments: &Arguments, caption: String, columns: &[(&str, Align)]) -> Table {
+    let name = |growth: &Rational| format!("growth {}", significant(to_f64(growth), 3));
+    let names: Vec<String> = budgets(arguments).iter().map(name).collect();
+    let growth = names.iter().map(|name| (name.as_str(), Align::Right));
+    let columns: Vec<(&str, Align)> = columns.iter().copied().chain(growth).collect();
+    Table::new(caption, &columns)
 }
 
 /// Certificates of every limit shown: stability, growth budgets, monotonicity.
@@ -118,7 +141,7 @@ fn write_certificates(
         .par_iter()
         .map(|answer| {
             let scheme = &answer.discretisation;
-            let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(scheme.ratio()));
+            let range = arguments.max_cfl.clone().unwrap_or_else(|| search_range(scheme.ratio()));
             let symbol = scheme.symbol();
             let failed = |error: CertificationError| {
                 let (kernel, ratio) = (scheme.kernel(), to_text(scheme.ratio()));
@@ -147,7 +170,7 @@ fn answer(
     kernel: Kernel,
     ratio: Rational,
 ) -> Result<Answer, Failure> {
-    let range = arguments.max_cfl.clone().unwrap_or_else(|| default_range(&ratio));
+    let range = arguments.max_cfl.clone().unwrap_or_else(|| search_range(&ratio));
     let discretisation = Discretisation::new(scheme, kernel, ratio)
         .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
     let symbol = discretisation.symbol();
@@ -163,7 +186,7 @@ fn answer(
             (set.limit(), Some(set))
         }
     };
-    let budgets = arguments.growth.as_ref().map_or(&[][..], |numbers| &numbers.0);
+    let budgets = budgets(arguments);
     Ok(Answer {
         stability,
         set,
@@ -175,7 +198,6 @@ fn answer(
 }
 
 fn row(answer: &Answer) -> LimitsRow {
-    let finite = |value: f64| value.is_finite().then_some(value);
     LimitsRow {
         scheme: answer.discretisation.scheme().name().into(),
         kernel: answer.discretisation.kernel().name().into(),
@@ -201,13 +223,8 @@ fn row(answer: &Answer) -> LimitsRow {
 }
 
 fn table(arguments: &Arguments, scheme: AdvectionScheme, answers: &[Answer]) -> Table {
-    let budgets: Vec<String> = arguments
-        .growth
-        .iter()
-        .flat_map(|numbers| &numbers.0)
-        .map(|growth| format!("growth {}", significant(to_f64(growth), 3)))
-        .collect();
-    let mut columns = vec![
+    let caption = format!("Limits of the Courant number, {}", scheme.title());
+    let columns = [
         ("kernel", Align::Left),
         ("l/Δξ", Align::Right),
         ("stable up to", Align::Right),
@@ -217,9 +234,7 @@ fn table(arguments: &Arguments, scheme: AdvectionScheme, answers: &[Answer]) -> 
         ("monotone up to", Align::Right),
         ("exactly", Align::Right),
     ];
-    columns.extend(budgets.iter().map(|name| (name.as_str(), Align::Right)));
-    let caption = format!("Limits of the Courant number, {}", scheme.title());
-    let mut table = Table::new(caption, &columns);
+    let mut table = table_with_budgets(arguments, caption, &columns);
     for answer in answers {
         let mut cells = vec![
             Cell::from(answer.discretisation.kernel().name()),
@@ -268,7 +283,7 @@ pub fn binding_wave(limit: &Limit) -> String {
 }
 
 /// What the columns cannot say.
-fn remarks(answers: &[Answer]) -> String {
+fn remarks(answers: &[Answer]) -> Vec<String> {
     let mut remarks = Vec::new();
     for answer in answers {
         let name = format!(
@@ -305,5 +320,5 @@ fn remarks(answers: &[Answer]) -> String {
             ));
         }
     }
-    if remarks.is_empty() { String::new() } else { format!("\n{}\n", remarks.join("\n")) }
+    remarks
 }

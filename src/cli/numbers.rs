@@ -164,7 +164,8 @@ pub fn phases(text: &str) -> Result<usize, String> {
     count(text, 2, 10_000_000)
 }
 
-fn count(text: &str, least: usize, most: usize) -> Result<usize, String> {
+/// A whole number within bounds.
+pub fn count(text: &str, least: usize, most: usize) -> Result<usize, String> {
     text.parse()
         .ok()
         .filter(|count| (least..=most).contains(count))

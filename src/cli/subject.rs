@@ -6,8 +6,9 @@ use clap::Args;
 use courant::analysis::dispersion::{Form, WaveMethod, WaveScheme};
 use courant::analysis::integrator::Integrator;
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::Rational;
+use courant::analysis::rational::{Rational, to_f64, to_text};
 use courant::analysis::scheme::AdvectionScheme;
+use serde::Serialize;
 
 /// The options that name it: `--scheme`, or `--method` and `--integrator`.
 #[derive(Debug, Args)]
@@ -61,11 +62,34 @@ impl SubjectOptions {
     }
 }
 
+/// What names a particle method in JSON.
+#[derive(Debug, Serialize)]
+pub struct SteppedRecord {
+    method: &'static str,
+    form: Option<&'static str>,
+    integrator: &'static str,
+    alpha: Option<f64>,
+    kernel: &'static str,
+    ratio: String,
+}
+
 impl SteppedMethod {
     /// The scheme at a kernel and ratio.
     pub fn scheme(&self, kernel: Kernel, ratio: &Rational) -> Result<WaveScheme, Failure> {
         WaveScheme::new(self.method.clone(), kernel, ratio)
             .map_err(|error| Failure::Message(format!("--ratio: {error}")))
+    }
+
+    /// The names for JSON.
+    pub fn record(&self, kernel: Kernel, ratio: &Rational) -> SteppedRecord {
+        SteppedRecord {
+            method: self.method.name(),
+            form: self.method.form().map(Form::name),
+            integrator: self.integrator.name(),
+            alpha: self.method.alpha().map(to_f64),
+            kernel: kernel.name(),
+            ratio: to_text(ratio),
+        }
     }
 
     /// The name for captions.

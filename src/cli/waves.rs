@@ -54,14 +54,14 @@ impl MethodName {
             return Err(Failure::Message(format!(
                 "--alpha {}: {} has no viscosity coefficient; only sph-av takes it",
                 to_text(alpha),
-                self.example().name()
+                self.name()
             )));
         }
         if let (Some(form), Self::Sph | Self::SphAv) = (form, self) {
             return Err(Failure::Message(format!(
                 "--form {}: {} has one form; only gph takes it",
                 form.name(),
-                self.example().name()
+                self.name()
             )));
         }
         Ok(match self {
@@ -71,6 +71,11 @@ impl MethodName {
             }
             Self::Gph => WaveMethod::Gph { form: form.unwrap_or_default() },
         })
+    }
+
+    /// The name on the command line and in files.
+    pub fn name(self) -> &'static str {
+        self.example().name()
     }
 
     /// The method with the settings that are the default.
@@ -101,9 +106,4 @@ pub fn alpha(text: &str) -> Result<Rational, String> {
         return Err(format!("it must be from 0 to {MAX_ALPHA}"));
     }
     Ok(value)
-}
-
-/// A number for JSON: nothing where it is not finite.
-pub fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
 }

@@ -1,7 +1,7 @@
 //! A cover of `0 ≤ s ≤ 1` by intervals on each of which no Bernstein coefficient is negative, with the
 //! signs of all coefficients: exact, so that anybody can recompute them.
 
-use super::MarginForm;
+use super::{MarginForm, halve};
 use crate::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -49,7 +49,8 @@ pub fn exact_cover(
         if cover.len() + pending.len() >= max_boxes || is_negative_at_a_corner(&current) {
             return None;
         }
-        let (left, right) = halve_exactly(current);
+        // Both halves `2^degree` times too large, which changes no sign.
+        let (left, right) = halve(current, |sum, degree, level| sum << (degree - level));
         let first = left_end << 1;
         pending.push((right, &first + 1, depth + 1));
         pending.push((left, first, depth + 1));
@@ -64,24 +65,4 @@ fn signs(row: &[BigInt]) -> String {
 fn is_negative_at_a_corner(rows: &[Vec<BigInt>]) -> bool {
     let ends = rows.first().into_iter().chain(rows.last());
     ends.flat_map(|row| row.first().into_iter().chain(row.last())).any(Signed::is_negative)
-}
-
-/// De Casteljau's halves, both `2^degree` times too large, which changes no sign.
-fn halve_exactly(mut rows: Vec<Vec<BigInt>>) -> (Vec<Vec<BigInt>>, Vec<Vec<BigInt>>) {
-    let mut left_rows = Vec::with_capacity(rows.len());
-    for row in &mut rows {
-        let degree = row.len() - 1;
-        let mut left = Vec::with_capacity(row.len());
-        for level in 0..=degree {
-            let missing = (degree - level) as u64;
-            left.push(&row[0] << missing);
-            for index in 0..degree - level {
-                let (head, tail) = row.split_at_mut(index + 1);
-                head[index] += &tail[0];
-            }
-            row[degree - level] <<= missing;
-        }
-        left_rows.push(left);
-    }
-    (left_rows, rows)
 }

@@ -11,10 +11,9 @@ use super::wave_scheme::{CompiledWaves, WaveScheme};
 use crate::integrator::Integrator;
 use crate::lattice::RatioOutOfRange;
 use crate::rational::{Rational, integer};
-use crate::sweep::{Progress, SweepError};
+use crate::sweep::{Progress, SweepError, with_progress};
 use ndarray::{Array2, Array3};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// `count` values from `from` to `to` inclusive, evenly spaced and exact.
 ///
@@ -73,18 +72,8 @@ fn fill_rows<R: Sync>(
     if width == 0 {
         return Ok(values);
     }
-    let (done, cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));
-    values.par_chunks_mut(width).zip(rows).try_for_each(|(target, row)| {
-        if cancelled.load(Ordering::Relaxed) {
-            return Err(SweepError::Cancelled);
-        }
-        fill(row, target)?;
-        let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
-        if progress(finished, rows.len()).is_break() {
-            cancelled.store(true, Ordering::Relaxed);
-            return Err(SweepError::Cancelled);
-        }
-        Ok(())
+    with_progress(values.par_chunks_mut(width).zip(rows), progress, |(target, row)| {
+        fill(row, target)
     })?;
     Ok(values)
 }
@@ -237,6 +226,7 @@ mod tests {
     use crate::rational::{ratio, to_f64};
     use crate::sweep::no_progress;
     use std::ops::ControlFlow;
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     fn viscous() -> WaveScheme {
         let method = WaveMethod::SphAv { alpha: integer(1) };

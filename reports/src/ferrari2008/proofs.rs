@@ -11,7 +11,7 @@ use courant_analysis::limit::{
 };
 use courant_analysis::margin::Margin;
 use courant_analysis::rational::{Rational, integer, parse, ratio, to_f64, to_text};
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant_analysis::symbol::EnclosedSymbol;
 use courant_analysis::verdict::check;
 use courant_analysis::weak_instability::long_wave_behaviour;
@@ -24,10 +24,6 @@ const ERROR_FLOOR: f64 = 1e-17;
 fn symbol(scheme: AdvectionScheme, kernel: Kernel, l: &Rational) -> EnclosedSymbol {
     let discretisation = Discretisation::new(scheme, kernel, l.clone());
     discretisation.expect("the ratios of the report are within range").symbol()
-}
-
-fn range(l: &Rational) -> Rational {
-    integer(10) + l * integer(4)
 }
 
 /// Speed against error of the limits, and the table of hard cases.
@@ -54,8 +50,11 @@ fn cost_figure(detail: Detail) -> Result<Item, ReportError> {
     let mut figure = Figure::grid(1, 2).size(7.2, 3.4);
     let mut csv = String::from("scheme,ratio,method,size,relative_error,seconds\n");
     for (scheme, l, title) in cases {
-        let rows =
-            accuracy_study(&symbol(scheme, Kernel::CubicSpline, &l), &range(&l), repetitions);
+        let rows = accuracy_study(
+            &symbol(scheme, Kernel::CubicSpline, &l),
+            &search_range(&l),
+            repetitions,
+        );
         for row in &rows {
             csv.push_str(&format!(
                 "{},{},{},{},{},{}\n",
@@ -128,7 +127,7 @@ fn cost_table(detail: Detail) -> Item {
                 let l = parse(text).expect("the list holds decimals");
                 let symbol = symbol(scheme, kernel, &l);
                 let start = Instant::now();
-                let set = stable_set(&symbol, &Rational::zero(), &range(&l));
+                let set = stable_set(&symbol, &Rational::zero(), &search_range(&l));
                 let proof = start.elapsed();
                 let limit = set.limit();
                 let (sampling, error) = if limit.is_positive() {
@@ -137,7 +136,7 @@ fn cost_table(detail: Detail) -> Item {
                     let sampled = courant_analysis::limit::sampled_stability_limit(
                         &symbol,
                         &phases,
-                        &range(&l),
+                        &search_range(&l),
                     );
                     let error = (sampled.value() / limit.value() - 1.0).abs();
                     (significant(1e3 * start.elapsed().as_secs_f64(), 2), significant(error, 2))
@@ -168,7 +167,7 @@ fn hard_cases() -> Item {
     );
     let godunov = |l: &Rational| symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, l);
     let limit_text =
-        |l: &Rational| significant(stability_limit(&godunov(l), &range(l)).value(), 13);
+        |l: &Rational| significant(stability_limit(&godunov(l), &search_range(l)).value(), 13);
     let small = ratio(1, 1_000_000_000);
     for (name, edge) in [
         ("a lattice point on the edge of the support", integer(2)),
@@ -236,7 +235,7 @@ fn hard_cases() -> Item {
         ]);
     }
     let wide = integer(50);
-    let set = stable_set(&godunov(&wide), &Rational::zero(), &range(&wide));
+    let set = stable_set(&godunov(&wide), &Rational::zero(), &search_range(&wide));
     table.push([
         "ratio 50".into(),
         "Godunov, cubic: limit, and boxes looked at".into(),
@@ -250,7 +249,7 @@ fn hard_cases() -> Item {
             .map(|l| {
                 let symbol =
                     symbol(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &integer(l));
-                let limit = stability_limit(&symbol, &range(&integer(l)));
+                let limit = stability_limit(&symbol, &search_range(&integer(l)));
                 limit.exact().map_or_else(|| significant(limit.value(), 12), ToString::to_string)
             })
             .join(", "),

@@ -170,9 +170,7 @@ impl Table1 {
     /// The exact limits: decimals, and the fractions beside them where the data are rational.
     pub fn exact_table(&self) -> Table {
         let rows = self.rows().flat_map(|(kind, kernel, entries)| {
-            let head = |what: &str| -> Vec<Cell> {
-                vec![kind.name().into(), kernel.title().into(), what.into()]
-            };
+            let head = |what| row_head(kind, kernel, what);
             let mut decimals = head(entries[0].limit.evidence().name());
             decimals.extend(entries.iter().map(|e| Cell::from(format!("{:.10}", e.limit.value()))));
             let mut rows = vec![decimals];
@@ -195,9 +193,7 @@ impl Table1 {
     /// The printed values and the recipe that reproduces them.
     pub fn published_table(&self) -> Table {
         let rows = self.rows().flat_map(|(kind, kernel, entries)| {
-            let head = |what: &str| -> Vec<Cell> {
-                vec![kind.name().into(), kernel.title().into(), what.into()]
-            };
+            let head = |what| row_head(kind, kernel, what);
             let mut printed = head("printed");
             printed.extend(
                 entries.iter().map(|e| Cell::from(format!("{:.2}", to_f64(&e.published.courant)))),
@@ -279,6 +275,11 @@ impl Table1 {
             stability().count(),
         )
     }
+}
+
+/// The first cells of a row.
+fn row_head(kind: LimitKind, kernel: Kernel, what: &str) -> Vec<Cell> {
+    vec![kind.name().into(), kernel.title().into(), what.into()]
 }
 
 #[cfg(test)]

@@ -58,6 +58,14 @@ impl Axis {
         self
     }
 
+    /// Sets the ends of the axis to the first and the last of ascending values.
+    ///
+    /// # Panics
+    /// When there are no values.
+    pub fn spanning(self, values: &[f64]) -> Axis {
+        self.range(values[0], values[values.len() - 1])
+    }
+
     /// Sets the ticks: value and label each, where round numbers are not what is wanted (as π/2).
     pub fn ticks(mut self, ticks: impl IntoIterator<Item = (f64, impl Into<String>)>) -> Axis {
         self.ticks =

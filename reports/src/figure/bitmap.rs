@@ -268,28 +268,22 @@ fn text_rings(text: &Text, scale: f64) -> Vec<Vec<Point>> {
             let (x, y) = (unit * (start + f64::from(p.x)), unit * f64::from(p.y));
             [origin[0] * scale + x * cos - y * sin, origin[1] * scale - x * sin - y * cos]
         };
-        let mut last = None;
-        for curve in font::outline(glyph) {
-            let (from, to) = match curve {
-                OutlineCurve::Line(a, b)
-                | OutlineCurve::Quad(a, _, b)
-                | OutlineCurve::Cubic(a, _, _, b) => (a, b),
-            };
-            if last != Some(from) {
-                rings.push(vec![place(from)]);
-            }
-            let ring = rings.last_mut().expect("a ring was begun");
-            match curve {
-                OutlineCurve::Line(..) => {}
-                OutlineCurve::Quad(a, c, b) => {
-                    ring.extend(bend(place(a), place(c), place(c), place(b), 2.0 / 3.0));
+        for contour in font::contours(glyph) {
+            let mut ring = vec![place(font::ends(&contour[0]).0)];
+            for curve in contour {
+                let end = place(font::ends(&curve).1);
+                match curve {
+                    OutlineCurve::Line(..) => {}
+                    OutlineCurve::Quad(a, c, _) => {
+                        ring.extend(bend(place(a), place(c), place(c), end, 2.0 / 3.0));
+                    }
+                    OutlineCurve::Cubic(a, c, d, _) => {
+                        ring.extend(bend(place(a), place(c), place(d), end, 1.0));
+                    }
                 }
-                OutlineCurve::Cubic(a, c, d, b) => {
-                    ring.extend(bend(place(a), place(c), place(d), place(b), 1.0));
-                }
+                ring.push(end);
             }
-            ring.push(place(to));
-            last = Some(to);
+            rings.push(ring);
         }
     }
     rings

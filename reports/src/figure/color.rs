@@ -33,6 +33,9 @@ impl Color {
     /// Okabe–Ito reddish purple.
     pub const PURPLE: Color = Color::rgb(204, 121, 167);
 
+    /// Darker than every colour of [`ColorMap::Reds`](super::ColorMap::Reds): what grows beyond the last band.
+    pub const DARK_RED: Color = Color::rgb(92, 8, 18);
+
     /// A colour from its three components.
     pub const fn rgb(red: u8, green: u8, blue: u8) -> Color {
         Color { red, green, blue }

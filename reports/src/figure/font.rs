@@ -1,6 +1,6 @@
 //! The bundled font, DejaVu Sans: widths and outlines of its letters.
 
-use ab_glyph::{Font, FontRef, GlyphId, OutlineCurve};
+use ab_glyph::{Font, FontRef, GlyphId, OutlineCurve, Point};
 use std::sync::LazyLock;
 
 static FONT: LazyLock<FontRef<'static>> = LazyLock::new(|| {
@@ -40,9 +40,19 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
     shape(text).1 * size / units_per_em()
 }
 
-/// The curves of a letter in font units, y upwards; none for a space.
-pub(super) fn outline(glyph: GlyphId) -> Vec<OutlineCurve> {
-    FONT.outline(glyph).map(|o| o.curves).unwrap_or_default()
+/// The contours of a letter in font units, y upwards, each a chain of curves; none for a space.
+pub(super) fn contours(glyph: GlyphId) -> Vec<Vec<OutlineCurve>> {
+    let curves = FONT.outline(glyph).map(|outline| outline.curves).unwrap_or_default();
+    curves.chunk_by(|a, b| ends(a).1 == ends(b).0).map(<[_]>::to_vec).collect()
+}
+
+/// Where a curve begins and where it ends.
+pub(super) fn ends(curve: &OutlineCurve) -> (Point, Point) {
+    match *curve {
+        OutlineCurve::Line(a, b)
+        | OutlineCurve::Quad(a, _, b)
+        | OutlineCurve::Cubic(a, _, _, b) => (a, b),
+    }
 }
 
 #[cfg(test)]

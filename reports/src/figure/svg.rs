@@ -9,6 +9,7 @@ use super::{
     geometry::{Point, Rect},
     scene::{Pen, Scene, Shape, Text},
 };
+use crate::markup::escaped;
 use ab_glyph::{GlyphId, OutlineCurve};
 use std::{collections::BTreeSet, fmt::Write};
 
@@ -153,7 +154,7 @@ fn letters(out: &mut String, text: &Text, pen: &str, glyphs: &mut BTreeSet<u16>)
     let turn =
         if text.angle == 0.0 { String::new() } else { format!(" rotate({:.2})", -text.angle) };
     let label = if pen.is_empty() {
-        format!(" aria-label=\"{}\"", escape(&text.text))
+        format!(" aria-label=\"{}\"", escaped(&text.text))
     } else {
         " aria-hidden=\"true\"".into()
     };
@@ -167,16 +168,12 @@ fn letters(out: &mut String, text: &Text, pen: &str, glyphs: &mut BTreeSet<u16>)
         ),
     );
     for (glyph, start) in font::shape(&text.text).0 {
-        if !font::outline(glyph).is_empty() {
+        if !font::contours(glyph).is_empty() {
             glyphs.insert(glyph.0);
             put(out, format_args!("<use xlink:href=\"#g{}\" x=\"{start:.0}\"/>", glyph.0));
         }
     }
     out.push_str("</g>\n");
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Polylines as path data.
@@ -211,26 +208,20 @@ fn path(lines: &[Vec<Point>], closed: bool) -> String {
 /// The outline of a letter in font units.
 fn glyph_path(glyph: GlyphId) -> String {
     let mut out = String::new();
-    let mut last = None;
-    for curve in font::outline(glyph) {
-        let (from, to) = match curve {
-            OutlineCurve::Line(a, b)
-            | OutlineCurve::Quad(a, _, b)
-            | OutlineCurve::Cubic(a, _, _, b) => (a, b),
-        };
-        if last != Some(from) {
-            put(&mut out, format_args!("M{} {}", from.x, from.y));
-        }
-        match curve {
-            OutlineCurve::Line(_, b) => put(&mut out, format_args!("L{} {}", b.x, b.y)),
-            OutlineCurve::Quad(_, c, b) => {
-                put(&mut out, format_args!("Q{} {} {} {}", c.x, c.y, b.x, b.y));
-            }
-            OutlineCurve::Cubic(_, c, d, b) => {
-                put(&mut out, format_args!("C{} {} {} {} {} {}", c.x, c.y, d.x, d.y, b.x, b.y));
+    for contour in font::contours(glyph) {
+        let (start, _) = font::ends(&contour[0]);
+        put(&mut out, format_args!("M{} {}", start.x, start.y));
+        for curve in contour {
+            match curve {
+                OutlineCurve::Line(_, b) => put(&mut out, format_args!("L{} {}", b.x, b.y)),
+                OutlineCurve::Quad(_, c, b) => {
+                    put(&mut out, format_args!("Q{} {} {} {}", c.x, c.y, b.x, b.y));
+                }
+                OutlineCurve::Cubic(_, c, d, b) => {
+                    put(&mut out, format_args!("C{} {} {} {} {} {}", c.x, c.y, d.x, d.y, b.x, b.y));
+                }
             }
         }
-        last = Some(to);
     }
     out
 }

@@ -42,7 +42,7 @@ pub use rates::Rates;
 pub use result::{Drift, Errors, ParticleRun, Penetration};
 pub use ring::{Amplification, Ring};
 pub use run::run_particles;
-pub use scene::{Flow, Material, PARTICLE_SCENES, ParticleScene};
+pub use scene::{Flow, Material, ParticleScene};
 pub use smoothing_kernel::{RadialKernel, SmoothingKernel};
 pub use system::{Counters, ParticleSystem, Particles};
 pub use thermal::ThermalState;

@@ -18,7 +18,7 @@ use super::thermal::ThermalState;
 use super::viscous::{PressureForm, Smoothed};
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{ExactIdeal, StarSolver, Stopping, VanLeer};
-use crate::run::{Failure, Profile, Reason};
+use crate::run::{Failure, Profile, Reason, SMALLEST_STEP};
 
 /// Runs a scene to its end time with `particles` particles (about that many: layers get whole ones).
 ///
@@ -88,9 +88,6 @@ fn with_solver<G: Gas, S: StarSolver>(
         ParticleMethod::Sph2 => evolve(run, &smoothed(PressureForm::Geometric)),
     }
 }
-
-/// A step below this part of the end time is lost in the rounding of the time.
-const SMALLEST_STEP: f64 = 1e-13;
 
 fn evolve<G: Gas, F: PairForce>(
     (scene, particles, options, gas): (&ParticleScene, usize, &MethodOptions, G),

@@ -54,6 +54,8 @@ pub enum Flow {
 pub struct ParticleScene {
     /// The name used on the command line and in files.
     pub name: &'static str,
+    /// What happens, in a line.
+    pub description: &'static str,
     /// Where the scene comes from, and what had to be chosen.
     pub source: &'static str,
     /// The gas.
@@ -74,19 +76,6 @@ pub struct ParticleScene {
     pub constant_smoothing: bool,
 }
 
-/// Names of all scenes, in the order of the paper; the hard cases last.
-pub const PARTICLE_SCENES: [&str; 9] = [
-    "sound-wave",
-    "sod-sph",
-    "strong-blast",
-    "isothermal-tube",
-    "sjogreen",
-    "collision-subsonic",
-    "collision-supersonic",
-    "noh",
-    "woodward-colella",
-];
-
 fn state([density, velocity, pressure]: [f64; 3]) -> State {
     State::new(density, velocity, pressure).expect("the scenes' numbers are physical")
 }
@@ -103,6 +92,7 @@ impl ParticleScene {
         let extent = [-0.5, 0.5];
         Self {
             name,
+            description: "",
             source: "",
             material,
             extent,
@@ -131,68 +121,73 @@ impl ParticleScene {
         }
     }
 
-    /// A scene of [`PARTICLE_SCENES`].
-    pub fn named(name: &str) -> Option<Self> {
-        let air = ideal(1.4);
-        let collision = |name, speed: f64, end_time| {
+    /// All scenes, in the order of the paper; the hard cases last.
+    pub fn all() -> [Self; 9] {
+        let (air, still) = (ideal(1.4), [1.0, 0.0, 1.0]);
+        let collision = |name, description, speed: f64, end_time| {
             let streams = ([1.0, 0.5 * speed, 1.0], [1.0, -0.5 * speed, 1.0]);
             let scene = Self::riemann(name, ISOTHERMAL, streams.0, streams.1);
             let source = "Cha & Whitworth 2003, 5.6; v_app taken as the relative velocity";
-            Self { source, ..scene.streams(0.5, 0.25, end_time, 200) }
+            Self { description, source, ..scene.streams(0.5, 0.25, end_time, 200) }
         };
-        Some(match name {
-            "sound-wave" => Self {
+        let layer = |edge, pressure| (edge, state([1.0, 0.0, pressure]));
+        [
+            Self {
+                description: "isothermal pulse of 0.01 c between mirrors",
                 source: "Cha & Whitworth 2003, 5.1; width and number of particles chosen",
                 window: [-0.5, 0.5],
-                flow: Flow::Pulse { rest: state([1.0, 0.0, 1.0]), amplitude: 0.01, width: 0.05 },
+                flow: Flow::Pulse { rest: state(still), amplitude: 0.01, width: 0.05 },
                 end_time: 0.8,
                 particles: 200,
                 constant_smoothing: true,
-                ..Self::riemann("sound-wave", ISOTHERMAL, [1.0, 0.0, 1.0], [1.0, 0.0, 1.0])
+                ..Self::riemann("sound-wave", ISOTHERMAL, still, still)
             },
-            "sod-sph" => Self {
+            Self {
+                description: "shock tube (1, 0, 1 | 0.25, 0, 0.1795), γ = 1.4",
                 source: "Cha & Whitworth 2003, Table 1",
-                ..Self::riemann("sod-sph", air, [1.0, 0.0, 1.0], [0.25, 0.0, 0.1795])
+                ..Self::riemann("sod-sph", air, still, [0.25, 0.0, 0.1795])
             },
-            "strong-blast" => Self {
+            Self {
+                description: "pressure ratio 3e10, γ = 1.4",
                 source: "Cha & Whitworth 2003, Table 2",
                 end_time: 5e-3,
                 ..Self::riemann("strong-blast", air, [1.0, 0.0, 3e3], [1.0, 0.0, 1e-7])
             },
-            "isothermal-tube" => Self {
+            Self {
+                description: "isothermal shock tube (1, 0 | 0.25, 0)",
                 source: "Cha & Whitworth 2003, Table 3",
-                ..Self::riemann("isothermal-tube", ISOTHERMAL, [1.0, 0.0, 1.0], [0.25, 0.0, 0.25])
+                ..Self::riemann("isothermal-tube", ISOTHERMAL, still, [0.25, 0.0, 0.25])
             },
-            "sjogreen" => Self {
+            Self {
+                description: "two strong rarefactions, near vacuum between, γ = 1.4",
                 source: "Cha & Whitworth 2003, Table 4; number of particles chosen",
                 ..Self::riemann("sjogreen", air, [1.0, -2.0, 0.4], [1.0, 2.0, 0.4])
                     .streams(0.5, 0.5, 0.18, 250)
             },
-            "collision-subsonic" => collision("collision-subsonic", 0.6, 0.1),
-            "collision-supersonic" => collision("collision-supersonic", 1.2, 0.05),
-            "noh" => Self {
+            collision("collision-subsonic", "isothermal streams meeting at 0.6 c", 0.6, 0.1),
+            collision("collision-supersonic", "isothermal streams meeting at 1.2 c", 1.2, 0.05),
+            Self {
+                description: "cold streams meeting, infinitely strong shocks, γ = 5/3",
                 source: "Noh 1987, plane; background pressure 1e-6",
                 ..Self::riemann("noh", ideal(5.0 / 3.0), [1.0, 1.0, 1e-6], [1.0, -1.0, 1e-6])
                     .streams(1.0, 0.35, 0.6, 400)
             },
-            "woodward-colella" => {
-                let layer = |edge, pressure| (edge, state([1.0, 0.0, pressure]));
-                Self {
-                    source: "Woodward & Colella 1984: no exact solution",
-                    extent: [0.0, 1.0],
-                    window: [0.0, 1.0],
-                    flow: Flow::Layers(vec![
-                        layer(0.1, 1000.0),
-                        layer(0.9, 0.01),
-                        layer(1.0, 100.0),
-                    ]),
-                    end_time: 0.038,
-                    particles: 400,
-                    ..Self::riemann("woodward-colella", air, [1.0, 0.0, 1.0], [1.0, 0.0, 1.0])
-                }
-            }
-            _ => return None,
-        })
+            Self {
+                description: "two interacting blast waves between mirrors, γ = 1.4",
+                source: "Woodward & Colella 1984: no exact solution",
+                extent: [0.0, 1.0],
+                window: [0.0, 1.0],
+                flow: Flow::Layers(vec![layer(0.1, 1000.0), layer(0.9, 0.01), layer(1.0, 100.0)]),
+                end_time: 0.038,
+                particles: 400,
+                ..Self::riemann("woodward-colella", air, still, still)
+            },
+        ]
+    }
+
+    /// The scene of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().into_iter().find(|scene| scene.name == name)
     }
 
     /// The state at `x` before the motion.

@@ -11,7 +11,7 @@ pub(crate) trait Evolution {
 }
 
 /// A step below this part of the end time is lost in the rounding of the time.
-const SMALLEST_STEP: f64 = 1e-13;
+pub(crate) const SMALLEST_STEP: f64 = 1e-13;
 
 /// Advances to `end_time` exactly: the number of steps, the time reached, and the failure if any.
 pub(crate) fn drive(

@@ -8,7 +8,7 @@ mod profile;
 
 pub use conservation::Conservation;
 pub(crate) use conservation::Totals;
-pub(crate) use drive::{Evolution, drive};
+pub(crate) use drive::{Evolution, SMALLEST_STEP, drive};
 pub use failure::{Failure, Reason};
 pub use options::InvalidOptions;
 pub(crate) use options::{not_negative, positive};

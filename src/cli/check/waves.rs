@@ -1,14 +1,12 @@
 //! `courant check --method`: the verdict on one time step of a particle method.
 
-use super::{Arguments, describe};
+use super::{Arguments, conclude, describe, words};
 use crate::cli::limits::waves::{NO_MONOTONICITY, default_range, record};
-use crate::cli::output::{Format, print, print_json, table_text};
-use crate::cli::subject::SteppedMethod;
+use crate::cli::subject::{SteppedMethod, SteppedRecord};
 use crate::cli::{Failure, Outcome};
-use courant::analysis::dispersion::{Form, StepCheck, StepEnd, check_step, stable_step_within};
+use courant::analysis::dispersion::{StepCheck, StepEnd, check_step, stable_step_within};
 use courant::analysis::limit::ExactValue;
 use courant::analysis::rational::{Rational, to_f64, to_text};
-use courant::analysis::verdict::Verdict;
 use courant::reports::number::significant;
 use courant::reports::record::LimitRecord;
 use courant::reports::table::{Align, Table};
@@ -18,12 +16,8 @@ use serde::Serialize;
 /// The verdict as scripts read it.
 #[derive(Debug, Serialize)]
 struct Record {
-    method: &'static str,
-    form: Option<&'static str>,
-    integrator: &'static str,
-    alpha: Option<f64>,
-    kernel: &'static str,
-    ratio: String,
+    #[serde(flatten)]
+    subject: SteppedRecord,
     cfl: f64,
     verdict: &'static str,
     monotone: Option<bool>,
@@ -41,14 +35,11 @@ struct Record {
 pub fn run(arguments: &Arguments, stepped: &SteppedMethod) -> Result<Outcome, Failure> {
     let scheme = stepped.scheme(arguments.kernel, &arguments.ratio)?;
     let range = arguments.cfl.clone().max(default_range());
-    let no_scheme = |error| Failure::Message(format!("--form published: {error}"));
-    let found = check_step(&scheme, stepped.integrator, &arguments.cfl, &default_range())
-        .map_err(no_scheme)?;
+    let found = check_step(&scheme, stepped.integrator, &arguments.cfl, &default_range())?;
     let within_budget = match &arguments.growth {
         Some(growth) => {
             let range = range * Rational::from_integer(2.into());
-            let limit = stable_step_within(&scheme, stepped.integrator, growth, &range)
-                .map_err(no_scheme)?;
+            let limit = stable_step_within(&scheme, stepped.integrator, growth, &range)?;
             let at_most = match limit.limit().exact() {
                 Some(ExactValue::Fraction(value)) => arguments.cfl <= *value,
                 _ => to_f64(&arguments.cfl) <= limit.limit().lower(),
@@ -58,25 +49,14 @@ pub fn run(arguments: &Arguments, stepped: &SteppedMethod) -> Result<Outcome, Fa
         }
         None => None,
     };
-    match arguments.format {
-        Format::Json => print_json("check", &answer(arguments, stepped, &found))?,
-        format => {
-            let table = table(arguments, stepped, &found, within_budget);
-            print(&table_text(&table, format).unwrap_or_default())?
-        }
-    };
-    let accepted = within_budget.unwrap_or_else(|| found.verdict.is_stable());
-    Ok(if accepted { Outcome::Yes } else { Outcome::No })
+    let record = answer(arguments, stepped, &found);
+    let table = table(arguments, stepped, &found);
+    conclude(arguments, &record, table, found.verdict, within_budget)
 }
 
 fn answer(arguments: &Arguments, stepped: &SteppedMethod, found: &StepCheck) -> Record {
     Record {
-        method: stepped.method.name(),
-        form: stepped.method.form().map(Form::name),
-        integrator: stepped.integrator.name(),
-        alpha: stepped.method.alpha().map(to_f64),
-        kernel: arguments.kernel.name(),
-        ratio: to_text(&arguments.ratio),
+        subject: stepped.record(arguments.kernel, &arguments.ratio),
         cfl: to_f64(&arguments.cfl),
         verdict: found.verdict.name(),
         monotone: None,
@@ -91,24 +71,14 @@ fn answer(arguments: &Arguments, stepped: &SteppedMethod, found: &StepCheck) -> 
     }
 }
 
-fn table(
-    arguments: &Arguments,
-    stepped: &SteppedMethod,
-    found: &StepCheck,
-    within_budget: Option<bool>,
-) -> Table {
-    let headline = match found.verdict {
-        Verdict::Stable => "stable",
-        Verdict::Marginal => "marginally stable",
-        Verdict::WeaklyUnstable => "weakly unstable",
-        Verdict::Unstable => "unstable",
-    };
+fn table(arguments: &Arguments, stepped: &SteppedMethod, found: &StepCheck) -> Table {
     let caption = format!(
-        "{}, {}, h/Δ = {}, c Δt/h = {}: {headline}",
+        "{}, {}, h/Δ = {}, c Δt/h = {}: {}",
         stepped.title(),
         arguments.kernel.title(),
         to_text(&arguments.ratio),
         to_text(&arguments.cfl),
+        words(found.verdict),
     );
     let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Left)]);
     let stable = &found.stable;
@@ -134,10 +104,6 @@ fn table(
         let length = significant(2.0 * std::f64::consts::PI / found.growth.phase, 5);
         let phase = significant(found.growth.phase, 5);
         add("fastest growing wave", format!("{length} Δ (κ = {phase} rad per spacing)"));
-    }
-    if let (Some(within), Some(growth)) = (within_budget, &arguments.growth) {
-        let answer = if within { "yes" } else { "no" };
-        add(&format!("growth within {}", significant(to_f64(growth), 3)), answer.into());
     }
     table
 }

@@ -1,18 +1,15 @@
 //! `courant limits --method`: stable time steps of particle methods.
 
-use super::{Arguments, binding_wave, exact, number};
-use crate::cli::output::{Format, print, print_json, table_text};
-use crate::cli::subject::SteppedMethod;
-use crate::cli::waves::finite;
+use super::{Arguments, answers, binding_wave, budgets, exact, number, show, table_with_budgets};
+use crate::cli::subject::{SteppedMethod, SteppedRecord};
 use crate::cli::{Failure, Outcome};
-use courant::analysis::dispersion::{Form, StableStep, StepEnd, stable_step, stable_step_within};
+use courant::analysis::dispersion::{StableStep, StepEnd, stable_step, stable_step_within};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::Limit;
 use courant::analysis::rational::{Rational, integer, to_f64, to_text};
-use courant::reports::number::significant;
+use courant::reports::number::{finite, significant};
 use courant::reports::record::{GrowthRecord, IntervalRecord, LimitRecord};
 use courant::reports::table::{Align, Cell, Table};
-use rayon::prelude::*;
 use serde::Serialize;
 
 /// Why a limit of time steps has no monotone one beside it.
@@ -38,12 +35,8 @@ pub fn record(limit: &Limit) -> LimitRecord {
 /// One method, integrator, kernel and ratio.
 #[derive(Debug, Serialize)]
 struct Row {
-    method: &'static str,
-    form: Option<&'static str>,
-    integrator: &'static str,
-    alpha: Option<f64>,
-    kernel: &'static str,
-    ratio: String,
+    #[serde(flatten)]
+    subject: SteppedRecord,
     /// Limits of `c Δt/h`.
     stability: LimitRecord,
     /// From no step to the first limit; higher steps are not looked at.
@@ -63,11 +56,6 @@ struct Row {
     keeps_constants: bool,
 }
 
-#[derive(Debug, Serialize)]
-struct Rows {
-    rows: Vec<Row>,
-}
-
 /// Everything about one kernel and ratio.
 struct Answer {
     kernel: Kernel,
@@ -77,29 +65,11 @@ struct Answer {
 }
 
 pub fn run(arguments: &Arguments, stepped: &SteppedMethod) -> Result<Outcome, Failure> {
-    let cases: Vec<(Kernel, &Rational)> = arguments
-        .kernel
-        .0
-        .iter()
-        .flat_map(|kernel| arguments.ratio.0.iter().map(move |ratio| (*kernel, ratio)))
-        .collect();
-    let answers: Result<Vec<Answer>, Failure> = cases
-        .into_par_iter()
-        .map(|(kernel, ratio)| answer(arguments, stepped, kernel, ratio))
-        .collect();
-    let answers = answers?;
-    match table_text(&table(stepped, &answers), arguments.format) {
-        Some(mut text) => {
-            if arguments.format == Format::Table {
-                text.push_str(&remarks(&answers));
-            }
-            print(&text)
-        }
-        None => {
-            let rows = answers.iter().map(|answer| row(stepped, answer)).collect();
-            print_json("limits", &Rows { rows })
-        }
-    }
+    let answers = answers(arguments, |kernel, ratio| answer(arguments, stepped, kernel, ratio))?;
+    let table = table(arguments, stepped, &answers);
+    show(arguments, &table, &remarks(&answers), || {
+        answers.iter().map(|answer| row(stepped, answer)).collect()
+    })
 }
 
 fn answer(
@@ -110,19 +80,17 @@ fn answer(
 ) -> Result<Answer, Failure> {
     let range = arguments.max_cfl.clone().unwrap_or_else(default_range);
     let scheme = stepped.scheme(kernel, ratio)?;
-    let no_scheme = |error| Failure::Message(format!("--form published: {error}"));
-    let budgets = arguments.growth.as_ref().map_or(&[][..], |numbers| &numbers.0);
-    let growth: Result<Vec<_>, Failure> = budgets
+    let growth: Result<Vec<_>, Failure> = budgets(arguments)
         .iter()
         .map(|budget| {
-            let found = stable_step_within(&scheme, stepped.integrator, budget, &range);
-            Ok((budget.clone(), found.map_err(no_scheme)?))
+            let found = stable_step_within(&scheme, stepped.integrator, budget, &range)?;
+            Ok((budget.clone(), found))
         })
         .collect();
     Ok(Answer {
         kernel,
         ratio: ratio.clone(),
-        stable: stable_step(&scheme, stepped.integrator, &range).map_err(no_scheme)?,
+        stable: stable_step(&scheme, stepped.integrator, &range)?,
         growth: growth?,
     })
 }
@@ -131,12 +99,7 @@ fn row(stepped: &SteppedMethod, answer: &Answer) -> Row {
     let stable = &answer.stable;
     let limit = stable.limit();
     Row {
-        method: stepped.method.name(),
-        form: stepped.method.form().map(Form::name),
-        integrator: stepped.integrator.name(),
-        alpha: stepped.method.alpha().map(to_f64),
-        kernel: answer.kernel.name(),
-        ratio: to_text(&answer.ratio),
+        subject: stepped.record(answer.kernel, &answer.ratio),
         stability: record(limit),
         stable_set: vec![IntervalRecord { from: 0.0, to: finite(limit.value()) }],
         undecided: stable
@@ -164,14 +127,9 @@ fn row(stepped: &SteppedMethod, answer: &Answer) -> Row {
     }
 }
 
-fn table(stepped: &SteppedMethod, answers: &[Answer]) -> Table {
-    let budgets: Vec<String> = answers
-        .first()
-        .map_or(&[][..], |answer| &answer.growth)
-        .iter()
-        .map(|(growth, _)| format!("growth {}", significant(to_f64(growth), 3)))
-        .collect();
-    let mut columns = vec![
+fn table(arguments: &Arguments, stepped: &SteppedMethod, answers: &[Answer]) -> Table {
+    let caption = format!("Limits of the time step c Δt/h, {}", stepped.title());
+    let columns = [
         ("kernel", Align::Left),
         ("h/Δ", Align::Right),
         ("stable up to c Δt/h", Align::Right),
@@ -182,9 +140,7 @@ fn table(stepped: &SteppedMethod, answers: &[Answer]) -> Table {
         ("binding wave", Align::Left),
         ("how it ends", Align::Left),
     ];
-    columns.extend(budgets.iter().map(|name| (name.as_str(), Align::Right)));
-    let caption = format!("Limits of the time step c Δt/h, {}", stepped.title());
-    let mut table = Table::new(caption, &columns);
+    let mut table = table_with_budgets(arguments, caption, &columns);
     for answer in answers {
         let (stable, limit) = (&answer.stable, answer.stable.limit());
         let mut cells = vec![
@@ -205,7 +161,7 @@ fn table(stepped: &SteppedMethod, answers: &[Answer]) -> Table {
 }
 
 /// What the columns cannot say.
-fn remarks(answers: &[Answer]) -> String {
+fn remarks(answers: &[Answer]) -> Vec<String> {
     let mut remarks = Vec::new();
     for answer in answers {
         let name = format!("{}, h/Δ = {}", answer.kernel.name(), to_text(&answer.ratio));
@@ -219,5 +175,5 @@ fn remarks(answers: &[Answer]) -> String {
             remarks.push(format!("{name}: undecided for c Δt/h in [{from}, {to}]"));
         }
     }
-    if remarks.is_empty() { String::new() } else { format!("\n{}\n", remarks.join("\n")) }
+    remarks
 }

@@ -9,7 +9,8 @@ use courant::analysis::dispersion::{LatticeSums, WaveMethod, WaveScheme};
 use courant::analysis::integrator::Integrator;
 use courant::analysis::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant::reports::publish::OutputDirectory;
-use courant::reports::wave_map::{amplitude_map, phase_error_map, step_map};
+use courant::reports::step_map::step_map;
+use courant::reports::wave_map::{amplitude_map, phase_error_map};
 
 /// What is mapped over what.
 enum Plane<'a> {
@@ -64,7 +65,7 @@ pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> 
         MethodName::SphAv => Ok(WaveMethod::SphAv { alpha: integer(1) }),
         _ => Err(refuse(format!(
             "--alpha: {} has no viscosity coefficient; a map of {what} over it needs --method sph-av",
-            name.example().name()
+            name.name()
         ))),
     };
     let scheme = |method: WaveMethod, ratio: &Rational| {
@@ -90,7 +91,7 @@ pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> 
     let stopped = |error| refuse(format!("{error}"));
     let floats = |numbers: &Numbers| -> Vec<f64> { numbers.0.iter().map(to_f64).collect() };
     let kernel = arguments.kernel;
-    let stem = |what: &str| format!("map_{what}_{}_{}", name.example().name(), kernel.name());
+    let stem = |what: &str| format!("map_{what}_{}_{}", name.name(), kernel.name());
     let (stem, figure, data) = match plane {
         Plane::PhaseError { kappas, ratios } => {
             axes(("--kappa", kappas), ("--h", ratios))?;

@@ -76,10 +76,7 @@ fn disorder(text: &str) -> Result<Rational, String> {
 }
 
 fn wave_number(text: &str) -> Result<usize, String> {
-    text.parse()
-        .ok()
-        .filter(|count| (1..=100_000).contains(count))
-        .ok_or_else(|| "a whole number from 1 to 100000 is accepted".into())
+    numbers::count(text, 1, 100_000)
 }
 
 fn scenes() -> Vec<Entry> {

@@ -5,43 +5,27 @@ use crate::cli::output::{Format, print, print_json, table_text};
 use crate::cli::{Failure, Outcome, names};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::rational::to_f64;
-use courant::reports::number::significant;
+use courant::reports::number::{finite, significant};
 use courant::reports::particle_profile::{exact_solution_holds, profile_csv, profile_figure};
 use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::particles::{
-    InvalidMethodOptions, MethodOptions, PARTICLE_SCENES, ParticleMethod, ParticleRun,
-    ParticleScene, run_particles,
+    InvalidMethodOptions, MethodOptions, ParticleMethod, ParticleRun, ParticleScene, run_particles,
 };
 use serde::Serialize;
 use std::time::Instant;
 
 pub const FAMILY: Family = Family { scenes, methods, run };
 
-fn describe_scene(name: &str) -> &'static str {
-    match name {
-        "sound-wave" => "isothermal pulse of 0.01 c between mirrors",
-        "sod-sph" => "shock tube (1, 0, 1 | 0.25, 0, 0.1795), γ = 1.4",
-        "strong-blast" => "pressure ratio 3e10, γ = 1.4",
-        "isothermal-tube" => "isothermal shock tube (1, 0 | 0.25, 0)",
-        "sjogreen" => "two strong rarefactions, near vacuum between, γ = 1.4",
-        "collision-subsonic" => "isothermal streams meeting at 0.6 c",
-        "collision-supersonic" => "isothermal streams meeting at 1.2 c",
-        "noh" => "cold streams meeting, infinitely strong shocks, γ = 5/3",
-        _ => "two interacting blast waves between mirrors, γ = 1.4",
-    }
-}
-
 fn scenes() -> Vec<Entry> {
-    let scenes = PARTICLE_SCENES.iter().filter_map(|name| ParticleScene::named(name));
-    scenes
+    ParticleScene::all()
         .map(|scene| Entry {
             name: scene.name,
-            description: describe_scene(scene.name),
+            description: scene.description,
             source: scene.source,
         })
-        .collect()
+        .to_vec()
 }
 
 fn methods() -> Vec<Entry> {
@@ -162,7 +146,6 @@ const TOO_LATE: &str =
 
 fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
     let exact = exact_solution_holds(&plan.scene, plan.customary_end, run.time);
-    let finite = |value: f64| value.is_finite().then_some(value);
     // The state of a broken run has no error norm worth the name.
     let errors = run.errors.filter(|_| exact && run.completed());
     ParticleRecord {

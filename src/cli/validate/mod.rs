@@ -5,6 +5,7 @@ mod particles;
 
 use super::numbers::{Names, Numbers};
 use super::output::Format;
+use super::waves::MethodName;
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
 use courant::analysis::kernel::Kernel;
@@ -18,7 +19,7 @@ pub struct Arguments {
     scheme: Option<AdvectionScheme>,
     /// Particle method instead of a scheme: sph, sph-av, gph.
     #[arg(long, value_parser = particles::method, conflicts_with = "scheme")]
-    method: Option<particles::MethodName>,
+    method: Option<MethodName>,
     /// Options of particle methods.
     #[command(flatten)]
     particle: particles::Options,
@@ -48,18 +49,11 @@ pub struct Arguments {
 
 /// The transform of a ring takes as many operations as it has particles, squared.
 fn ring(text: &str) -> Result<usize, String> {
-    count(text, 4, 10_000).map(|count| count as usize)
+    numbers::count(text, 4, 10_000)
 }
 
 fn steps(text: &str) -> Result<u64, String> {
-    count(text, 1, 1_000_000)
-}
-
-fn count(text: &str, least: u64, most: u64) -> Result<u64, String> {
-    text.parse()
-        .ok()
-        .filter(|count| (least..=most).contains(count))
-        .ok_or_else(|| format!("a whole number from {least} to {most} is accepted"))
+    numbers::count(text, 1, 1_000_000).map(|count| count as u64)
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

@@ -4,12 +4,14 @@ use super::Arguments;
 use crate::cli::names;
 use crate::cli::numbers::{self, Names};
 use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::waves::MethodName;
 use crate::cli::{Failure, Outcome};
 use clap::Args;
 use courant::analysis::dispersion::{Form, WaveMethod};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::{Rational, integer, ratio, to_f64, to_text};
-use courant::reports::number::significant;
+use courant::analysis::rational::{Rational, ratio, to_f64, to_text};
+use courant::reports::advection_validation::FactorRecord;
+use courant::reports::number::{finite, significant};
 use courant::reports::particle_validation::{
     FollowedWave, ParticleCase, ParticleModeRow, ParticleValidationError, TOLERANCE, codes,
     follow_wave, validate_particles,
@@ -19,25 +21,12 @@ use courant::simulation::particles::Integrator;
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// A relation to be checked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MethodName {
-    /// SPH without viscosity.
-    Sph,
-    /// SPH with viscosity.
-    SphAv,
-    /// Godunov particle hydrodynamics.
-    Gph,
-}
-
 /// A method by name.
 pub fn method(text: &str) -> Result<MethodName, String> {
-    match text {
-        "sph" => Ok(MethodName::Sph),
-        "sph-av" => Ok(MethodName::SphAv),
-        "gph" => Ok(MethodName::Gph),
-        other => Err(names::unknown("method", other, &["sph", "sph-av", "gph"])),
-    }
+    MethodName::ALL
+        .into_iter()
+        .find(|method| method.name() == text)
+        .ok_or_else(|| names::unknown("method", text, &MethodName::ALL.map(MethodName::name)))
 }
 
 fn integrator(text: &str) -> Result<Integrator, String> {
@@ -90,13 +79,7 @@ impl Options {
         if self.form.is_some() && name != MethodName::Gph {
             return Err(Failure::Message("--form: only --method gph has two relations".into()));
         }
-        Ok(match name {
-            MethodName::Sph => WaveMethod::Sph,
-            MethodName::SphAv => {
-                WaveMethod::SphAv { alpha: self.alpha.clone().unwrap_or_else(|| integer(1)) }
-            }
-            MethodName::Gph => WaveMethod::Gph { form: self.form.unwrap_or_default() },
-        })
+        name.method(self.form, self.alpha.as_ref())
     }
 }
 
@@ -285,12 +268,6 @@ fn conclusion(compared: &[Compared], steps: usize) -> String {
 }
 
 #[derive(Debug, Serialize)]
-struct Factor {
-    gain: Option<f64>,
-    phase: Option<f64>,
-}
-
-#[derive(Debug, Serialize)]
 struct Row {
     method: &'static str,
     form: Option<&'static str>,
@@ -303,8 +280,8 @@ struct Row {
     mode: usize,
     branch: &'static str,
     phase: f64,
-    predicted: Factor,
-    measured: Factor,
+    predicted: FactorRecord,
+    measured: FactorRecord,
     error: Option<f64>,
 }
 
@@ -333,10 +310,6 @@ struct Record {
     passed: bool,
 }
 
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
-}
-
 impl Record {
     fn new(compared: &[Compared], steps: usize) -> Self {
         let mut record = Self {
@@ -351,10 +324,6 @@ impl Record {
         for Compared { case, rows, waves } in compared {
             for row in rows {
                 for (index, branch) in ["forward", "backward"].into_iter().enumerate() {
-                    let factor = |pair: [num_complex::Complex64; 2]| Factor {
-                        gain: finite(pair[index].norm()),
-                        phase: finite(pair[index].arg()),
-                    };
                     record.rows.push(Row {
                         method: case.method.name(),
                         form: case.method.form().map(Form::name),
@@ -367,8 +336,8 @@ impl Record {
                         mode: row.mode,
                         branch,
                         phase: row.phase,
-                        predicted: factor(row.predicted),
-                        measured: factor(row.measured),
+                        predicted: FactorRecord::new(row.predicted[index]),
+                        measured: FactorRecord::new(row.measured[index]),
                         error: finite(row.error),
                     });
                 }

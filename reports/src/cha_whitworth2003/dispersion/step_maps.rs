@@ -4,7 +4,7 @@ use super::super::{Detail, ReportError};
 use super::figure_item;
 use crate::figure::{Figure, Side};
 use crate::page::Item;
-use crate::wave_map::{StepMap, step_map};
+use crate::step_map::{StepMap, step_map};
 use courant_analysis::dispersion::sweep::even_axis;
 use courant_analysis::dispersion::{WaveMethod, WaveScheme};
 use courant_analysis::integrator::Integrator;

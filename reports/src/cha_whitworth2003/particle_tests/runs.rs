@@ -1,13 +1,12 @@
 //! The runs that figures and tables share.
 
-use super::{Detail, ReportError, cancelled};
+use super::{Detail, ReportError};
 use crate::particle_profile::exact_solution_holds;
-use courant_analysis::sweep::Progress;
+use courant_analysis::sweep::{Progress, with_progress};
 use courant_simulation::particles::{
-    MethodOptions, PARTICLE_SCENES, ParticleMethod, ParticleRun, ParticleScene, run_particles,
+    MethodOptions, ParticleMethod, ParticleRun, ParticleScene, run_particles,
 };
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A scene, a method and what came of them.
 #[derive(Debug, Clone)]
@@ -56,20 +55,20 @@ pub struct Runs {
 /// The paper's first snapshot of the sound wave.
 pub(super) const EARLY: f64 = 0.2;
 
-/// Scenes beyond the paper's are left to the full report: they take four fifths of the work.
-fn scenes(detail: Detail) -> &'static [&'static str] {
-    match detail {
-        Detail::Full => &PARTICLE_SCENES,
-        Detail::Quick => &PARTICLE_SCENES[..7],
+/// Scenes beyond the paper's seven are left to the full report: they take four fifths of the work.
+fn scenes(detail: Detail) -> Vec<ParticleScene> {
+    let mut scenes = ParticleScene::all().to_vec();
+    if detail == Detail::Quick {
+        scenes.truncate(7);
     }
+    scenes
 }
 
 fn plans(detail: Detail) -> Vec<(ParticleScene, MethodOptions)> {
-    let scene = |name: &str| ParticleScene::named(name).expect("it is in the list of scenes");
-    let early = ParticleScene { end_time: EARLY, ..scene("sound-wave") };
+    let sound = ParticleScene::named("sound-wave").expect("it is in the list of scenes");
+    let early = ParticleScene { end_time: EARLY, ..sound };
     scenes(detail)
-        .iter()
-        .map(|name| scene(name))
+        .into_iter()
         .chain([early])
         .flat_map(|scene| {
             ParticleMethod::ALL.map(|method| (scene.clone(), MethodOptions::new(method)))
@@ -88,19 +87,10 @@ impl Runs {
     /// # Errors
     /// When the callback stops the work.
     pub fn compute(detail: Detail, progress: Progress<'_>) -> Result<Self, ReportError> {
-        let plans = plans(detail);
-        let (all, done) = (plans.len(), AtomicUsize::new(0));
         // The longest first: the hard scenes are last in the list.
-        let mut solved: Vec<Solved> = plans
-            .into_par_iter()
-            .rev()
-            .with_max_len(1)
-            .map(|(scene, options)| {
-                let solved = Solved::new(scene, options);
-                let done = 1 + done.fetch_add(1, Ordering::Relaxed);
-                if progress(done, all).is_break() { Err(cancelled()) } else { Ok(solved) }
-            })
-            .collect::<Result<_, _>>()?;
+        let plans = plans(detail).into_par_iter().rev().with_max_len(1);
+        let mut solved =
+            with_progress(plans, progress, |(scene, options)| Ok(Solved::new(scene, options)))?;
         solved.reverse();
         Ok(Self { solved })
     }

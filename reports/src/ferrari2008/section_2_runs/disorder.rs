@@ -142,6 +142,21 @@ fn disorder_axis() -> Axis {
     Axis::linear("largest displacement / Δξ").range(-0.01, 0.41)
 }
 
+/// The `k`-th curve of a panel: means, and bars from the smallest to the largest.
+fn with_spread(
+    panel: Panel,
+    k: usize,
+    means: impl Iterator<Item = (f64, f64)> + Clone,
+    spread: impl Iterator<Item = (f64, f64, f64)>,
+    label: String,
+) -> Panel {
+    let color = Color::qualitative(k);
+    panel
+        .layer(Line::new(means.clone()).color(color))
+        .layer(ErrorBars::new(spread).color(color))
+        .layer(Markers::new(means, Marker::nth(k)).color(color).size(4.0).label(label))
+}
+
 fn step_panel(letter: char, study: &Study) -> Panel {
     // Room above the curves for the legend.
     let mut panel = Panel::new(disorder_axis(), Axis::linear("|g| of one step").range(0.0, 1.8))
@@ -150,7 +165,7 @@ fn step_panel(letter: char, study: &Study) -> Panel {
     for (k, mode) in MODES.into_iter().enumerate() {
         let color = Color::qualitative(k);
         let rows = || study.found.modes.iter().filter(move |row| row.mode == mode);
-        let means = || rows().map(|row| (row.disorder, row.mean.norm()));
+        let means = rows().map(|row| (row.disorder, row.mean.norm()));
         let label = match PARTICLES / 2 / mode {
             1 => "φ = π".into(),
             part => format!("φ = π/{part}"),
@@ -163,10 +178,7 @@ fn step_panel(letter: char, study: &Study) -> Panel {
             let gain = row.mean.norm();
             (row.disorder, gain - row.spread, gain + row.spread)
         });
-        panel = panel
-            .layer(Line::new(means()).color(color))
-            .layer(ErrorBars::new(spread).color(color))
-            .layer(Markers::new(means(), Marker::nth(k)).color(color).size(4.0).label(label));
+        panel = with_spread(panel, k, means, spread, label);
     }
     panel
 }
@@ -178,19 +190,11 @@ fn long_run_panel(letter: char, studies: &[Study]) -> Panel {
             .layer(Rule::horizontal(1.0).color(Color::GREY).dash(Dash::Dotted))
             .legend(Corner::TopLeft);
     for (k, study) in studies.iter().enumerate() {
-        let color = Color::qualitative(k);
         let growth = &study.found.growth;
-        let means = || growth.iter().map(|row| (row.disorder, row.mean_gain));
+        let means = growth.iter().map(|row| (row.disorder, row.mean_gain));
         let spread = growth.iter().map(|row| (row.disorder, row.smallest_gain, row.largest_gain));
-        panel = panel
-            .layer(Line::new(means()).color(color))
-            .layer(ErrorBars::new(spread).color(color))
-            .layer(
-                Markers::new(means(), Marker::nth(k))
-                    .color(color)
-                    .size(4.0)
-                    .label(format!("C = {}", significant(study.courant_number, 4))),
-            );
+        let label = format!("C = {}", significant(study.courant_number, 4));
+        panel = with_spread(panel, k, means, spread, label);
     }
     panel
 }

@@ -1,7 +1,7 @@
 //! Stability limits found by running, and a million steps on either side of one.
 
 use super::super::{COMMAND, Detail, ReportError};
-use super::discretisation;
+use super::{discretisation, kernels};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
@@ -78,12 +78,8 @@ pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
 type Compared = (Discretisation, Result<LimitComparison, NoBracket>);
 
 fn compare(detail: Detail) -> Vec<Compared> {
-    let kernels: &[Kernel] = match detail {
-        Detail::Full => &Kernel::ALL,
-        Detail::Quick => &[Kernel::CubicSpline, Kernel::Gaussian],
-    };
     let ratios = [integer(1), ratio(13, 10), integer(2), integer(3)];
-    let mut cases: Vec<Discretisation> = kernels
+    let mut cases: Vec<Discretisation> = kernels(detail)
         .iter()
         .flat_map(|&kernel| {
             let godunov = AdvectionScheme::GodunovSph;

@@ -46,6 +46,14 @@ pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, 
     Ok(sections)
 }
 
+/// The kernels looked at.
+fn kernels(detail: Detail) -> &'static [Kernel] {
+    match detail {
+        Detail::Full => &Kernel::ALL,
+        Detail::Quick => &[Kernel::CubicSpline, Kernel::Gaussian],
+    }
+}
+
 /// A discretisation whose ratio is written in the source.
 fn discretisation(scheme: AdvectionScheme, kernel: Kernel, ratio: Rational) -> Discretisation {
     Discretisation::new(scheme, kernel, ratio).expect("the ratio is within (0, 50]")

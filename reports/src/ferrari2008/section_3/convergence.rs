@@ -1,7 +1,7 @@
 //! How errors fall with the number of particles.
 
 use super::cost::{Point, TimedPoint, curve, resolutions};
-use super::{COMMAND, Detail, table_item};
+use super::{COMMAND, Detail, error_or_failure, panel_title, table_item};
 use crate::figure::{Axis, Color, Figure, Line, Panel};
 use crate::number::significant;
 use crate::page::Item;
@@ -72,8 +72,8 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
     );
     let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
     for test in 1..=4 {
-        let mut panel = Panel::new(Axis::log("N"), Axis::log("Σ|e|/N of ρ"))
-            .title(format!("({}) test {test}", char::from(b'a' + test as u8 - 1)));
+        let mut panel =
+            Panel::new(Axis::log("N"), Axis::log("Σ|e|/N of ρ")).title(panel_title(test));
         for (index, name) in Method::NAMES.into_iter().enumerate() {
             let series = of(test, name);
             let mut row = vec![test.to_string(), name.into()];
@@ -128,14 +128,8 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
 fn csv(points: &[Point]) -> Vec<u8> {
     let mut text = String::from("test,method,particles,l1_density,failure\n");
     for point in points {
-        let (error, failure) = match point.error {
-            Ok(error) => (format!("{error:.10e}"), String::new()),
-            Err(failure) => (String::new(), failure.to_string()),
-        };
-        text.push_str(&format!(
-            "{},{},{},{error},{failure}\n",
-            point.test, point.name, point.particles
-        ));
+        let Point { test, name, particles, error } = point;
+        text.push_str(&format!("{test},{name},{particles},{}\n", error_or_failure(error)));
     }
     text.into_bytes()
 }

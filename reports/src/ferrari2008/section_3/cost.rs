@@ -1,7 +1,7 @@
 //! Computing time against error.
 
 use super::runs::{method, tube};
-use super::{COMMAND, Detail, table_item};
+use super::{COMMAND, Detail, panel_title, table_item};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::Item;
@@ -110,7 +110,7 @@ pub fn items(timed: &[TimedPoint]) -> Vec<Item> {
     let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
     for test in 1..=4 {
         let mut panel = Panel::new(Axis::log("milliseconds"), Axis::log("Σ|e|/N of ρ"))
-            .title(format!("({}) test {test}", char::from(b'a' + test as u8 - 1)));
+            .title(panel_title(test));
         for (index, name) in Method::NAMES.into_iter().enumerate() {
             let points: Vec<(f64, f64)> = timed
                 .iter()

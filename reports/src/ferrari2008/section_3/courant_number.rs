@@ -3,7 +3,7 @@
 use super::cost::curve;
 use super::runs::{LAGRANGIAN, PARTICLES, method, tube};
 use super::table_2::sound_growth;
-use super::{COMMAND, Detail, table_item};
+use super::{COMMAND, Detail, error_or_failure, panel_title, table_item};
 use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel, Rule};
 use crate::number::significant;
 use crate::page::Item;
@@ -111,17 +111,13 @@ fn figure(series: &[Series]) -> Item {
             Axis::linear("Courant number CΔt/Δξ").range(0.0, 3.05),
             Axis::log("Σ|e|/N of ρ"),
         )
-        .title(format!("({}) test {test}", char::from(b'a' + test as u8 - 1)))
+        .title(panel_title(test))
         .layer(Rule::vertical(MONOTONE).label("monotone up to 8/5"))
         .layer(Rule::vertical(STABLE).color(Color::BLACK).label("stable up to 15/8"));
         for one in series.iter().filter(|one| one.test == test) {
             for (cfl, result) in &one.points {
-                let (error, failure) = match result {
-                    Ok(error) => (format!("{error:.10e}"), String::new()),
-                    Err(failure) => (String::new(), failure.to_string()),
-                };
-                let name = one.name;
-                text.push_str(&format!("{test},{name},{:?},{cfl},{error},{failure}\n", one.step));
+                let (name, step, outcome) = (one.name, one.step, error_or_failure(result));
+                text.push_str(&format!("{test},{name},{step:?},{cfl},{outcome}\n"));
             }
         }
         let current = |one: &&Series| one.test == test && one.step == StepRule::Current;

@@ -14,6 +14,7 @@ use super::{Detail, ReportError};
 use crate::CatalogueItem;
 use crate::page::{Item, Section};
 use courant_analysis::sweep::{Progress, SweepError};
+use courant_simulation::run::Failure;
 use runs::Runs;
 
 /// The command that makes this part of the report.
@@ -114,6 +115,19 @@ pub fn sections(detail: Detail, progress: Progress<'_>) -> Result<Vec<Section>, 
 /// A table with its place in the report.
 fn table_item(name: &str, table: crate::table::Table) -> Item {
     Item::Table { name: name.into(), table, command: COMMAND.into() }
+}
+
+/// The title of the panel of a test in a figure of all four.
+fn panel_title(test: usize) -> String {
+    format!("({}) test {test}", char::from(b'a' + test as u8 - 1))
+}
+
+/// The outcome of a run as two comma-separated values, one of them empty.
+fn error_or_failure(outcome: &Result<f64, Failure>) -> String {
+    match outcome {
+        Ok(error) => format!("{error:.10e},"),
+        Err(failure) => format!(",{failure}"),
+    }
 }
 
 #[cfg(test)]

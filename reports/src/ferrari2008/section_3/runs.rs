@@ -83,4 +83,19 @@ impl Runs {
         all.find(|run| run.test == test && run.method.name() == name)
             .expect("every test was run with every method")
     }
+
+    /// The finite-volume run of a test.
+    pub fn volumes(&self, test: usize) -> &TestRun {
+        self.get(test, "finite-volume")
+    }
+
+    /// The run of a test with standard SPH.
+    pub fn standard(&self, test: usize) -> &TestRun {
+        self.get(test, "sph-adke")
+    }
+
+    /// A measure of the exact, Rusanov and Roe runs of a test; NaN where there is none.
+    pub fn lagrangian(&self, test: usize, measure: impl Fn(&TestRun) -> f64) -> [f64; 3] {
+        LAGRANGIAN.map(|name| measure(self.get(test, name)))
+    }
 }

@@ -2,11 +2,10 @@
 
 mod recommendation;
 
-use super::discretisation;
+use super::{discretisation, kernels};
 use crate::ferrari2008::{COMMAND, Detail, ReportError};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::page::{Item, Section};
-use courant_analysis::kernel::Kernel;
 use courant_analysis::limit::growth_limit;
 use courant_analysis::rational::{integer, ratio};
 use courant_analysis::scheme::{AdvectionScheme, Scheme};
@@ -78,14 +77,10 @@ const EULER_COURANT_NUMBERS: [f64; 2] = [0.1, 0.4];
 /// Every combination that moves: the Courant numbers are shares of the largest one at which no wave
 /// grows by more than a millionth per step.
 fn choices(detail: Detail) -> Vec<Choice> {
-    let kernels: &[Kernel] = match detail {
-        Detail::Full => &Kernel::ALL,
-        Detail::Quick => &[Kernel::CubicSpline, Kernel::Gaussian],
-    };
     let budget = ratio(1, 1_000_000);
     let mut choices = Vec::new();
     for (scheme, _) in SCHEMES {
-        for &kernel in kernels {
+        for &kernel in kernels(detail) {
             for ratio in [1, 2, 3] {
                 let discretisation = discretisation(scheme, kernel, integer(ratio));
                 let limit = growth_limit(&discretisation.symbol(), &budget, &integer(20)).value();
@@ -345,6 +340,7 @@ fn data(test: &Test, choices: &[Choice]) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use courant_analysis::kernel::Kernel;
 
     #[test]
     fn large_sizes_are_run_for_choices_on_a_front_only() {

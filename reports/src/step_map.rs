@@ -1,0 +1,124 @@
+//! The map of the largest stable time step of a particle method over the (h, α) plane.
+
+use crate::figure::{
+    Axis, Bands, ColorBar, ColorMap, Field, Figure, FigureError, FilledContours, Isolines, Panel,
+    Side,
+};
+use crate::npy;
+use courant_analysis::dispersion::WaveScheme;
+use courant_analysis::dispersion::sweep::stable_step_map;
+use courant_analysis::integrator::Integrator;
+use courant_analysis::rational::{Rational, to_f64};
+use courant_analysis::sweep::{Progress, SweepError};
+use ndarray::Array2;
+
+/// Time steps `c Δt/h` are looked at up to this one: no integrator here comes near it from `h = Δ/2` on.
+pub const MAX_STEP: f64 = 8.0;
+
+/// The largest stable `c Δt/h` over `(h, α)` for one integrator; arrays are `[h, α]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepMap {
+    /// The integrator.
+    pub integrator: Integrator,
+    /// `h/Δ`, ascending.
+    pub ratios: Vec<f64>,
+    /// α, ascending.
+    pub alphas: Vec<f64>,
+    /// The largest step no sampled wave finds unstable.
+    pub steps: Array2<f64>,
+}
+
+/// Computes the map; `scheme` is SPH with α = 1. Looked at on a grid of phases, not proved.
+///
+/// # Errors
+/// When a ratio is out of range or the callback stops the sweep.
+pub fn step_map(
+    scheme: &WaveScheme,
+    integrator: Integrator,
+    ratios: &[Rational],
+    alphas: &[f64],
+    progress: Progress<'_>,
+) -> Result<StepMap, SweepError> {
+    let steps = stable_step_map(scheme, integrator, ratios, alphas, MAX_STEP, progress)?;
+    let ratios = ratios.iter().map(to_f64).collect();
+    Ok(StepMap { integrator, ratios, alphas: alphas.to_vec(), steps })
+}
+
+impl StepMap {
+    /// The panel: bands and isolines.
+    ///
+    /// # Errors
+    /// When the axes have too few points to draw.
+    pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
+        let field = Field::new(self.ratios.clone(), self.alphas.clone(), self.steps.clone())?;
+        let levels = [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4];
+        Ok(Panel::new(
+            Axis::linear("smoothing ratio h/Δ").spanning(&self.ratios),
+            Axis::linear("viscosity α").spanning(&self.alphas),
+        )
+        .title(title)
+        .layer(FilledContours::new(field.clone(), Self::bands()?))
+        .layer(Isolines::new(field, levels).width(0.6)))
+    }
+
+    /// The bands of the colour bar.
+    ///
+    /// # Errors
+    /// Never: the edges ascend.
+    pub fn bands() -> Result<Bands, FigureError> {
+        let edges = vec![0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.8];
+        Bands::sequential(edges, ColorMap::Viridis)
+            .map(|bands| bands.extend_above(ColorMap::Viridis.at(1.0)))
+    }
+
+    /// The colour bar.
+    ///
+    /// # Errors
+    /// Never: the edges ascend.
+    pub fn color_bar() -> Result<ColorBar, FigureError> {
+        Ok(ColorBar::new(Self::bands()?, "largest stable c Δt/h"))
+    }
+
+    /// The figure with one panel.
+    ///
+    /// # Errors
+    /// When the axes have too few points to draw.
+    pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
+        Ok(Figure::single(self.panel(title)?)
+            .size(5.2, 4.0)
+            .color_bar(Self::color_bar()?, Side::Right))
+    }
+
+    /// Every data file of the map: names that begin with `stem`, and contents.
+    pub fn data_files(&self, stem: &str) -> Vec<(String, Vec<u8>)> {
+        let mut text = String::from("ratio,alpha,stable_step\n");
+        for ((i, j), step) in self.steps.indexed_iter() {
+            text.push_str(&format!("{},{},{step}\n", self.ratios[i], self.alphas[j]));
+        }
+        vec![
+            (format!("{stem}.csv"), text.into_bytes()),
+            (format!("{stem}_stable_step.npy"), npy::encode(&self.steps)),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use courant_analysis::dispersion::WaveMethod;
+    use courant_analysis::kernel::Kernel;
+    use courant_analysis::rational::integer;
+    use courant_analysis::sweep::no_progress;
+
+    #[test]
+    fn steps_are_limits() {
+        let method = WaveMethod::SphAv { alpha: integer(1) };
+        let viscous = WaveScheme::new(method, Kernel::CubicSpline, &integer(1)).unwrap();
+        let ratios = [integer(1), integer(2)];
+        let map = step_map(&viscous, Integrator::LeapfrogKdk, &ratios, &[0.0, 2.0], &no_progress)
+            .unwrap();
+        // At h = Δ without viscosity ω0² ≤ 8 c²/Δ²; at h = 2Δ with α = 2 the limit 3/4 is proved.
+        assert!((map.steps[[0, 0]] - 0.5f64.sqrt()).abs() < 1e-9);
+        assert!((map.steps[[1, 1]] - 0.75).abs() < 1e-6);
+    }
+}
