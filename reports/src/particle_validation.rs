@@ -6,13 +6,13 @@
 
 use crate::number::significant;
 use courant_analysis::dispersion::{Mode, WaveMethod, WaveScheme};
-use courant_analysis::integrator::Integrator as LinearIntegrator;
+use courant_analysis::integrator::Integrator;
 use courant_analysis::kernel::Kernel;
 use courant_analysis::lattice::RatioOutOfRange;
 use courant_analysis::rational::{Rational, to_f64};
 use courant_simulation::particles::{
-    ActsOn, Amplification, Godunov, Integrator, IsothermalGas, OwnKernels, PairForce,
-    ParticleMethod, PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity,
+    ActsOn, Amplification, Godunov, IsothermalGas, OwnKernels, PairForce, ParticleMethod,
+    PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity,
 };
 use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
 use courant_simulation::run::Reason;
@@ -126,27 +126,7 @@ pub fn codes(method: &WaveMethod) -> &'static [ParticleMethod] {
 
 /// What one step multiplies the two waves of a mode by, by the relation; `step` is `c Δt/Δ`.
 fn predicted(mode: &Mode, integrator: Integrator, step: f64) -> [Complex64; 2] {
-    let linear = match integrator {
-        Integrator::ForwardEuler => LinearIntegrator::ForwardEuler,
-        Integrator::SymplecticEuler => LinearIntegrator::SymplecticEuler,
-        Integrator::KickDriftKick => LinearIntegrator::LeapfrogKdk,
-        Integrator::KickDriftKickPredicted => LinearIntegrator::LeapfrogKdkPredicted,
-        Integrator::Midpoint => LinearIntegrator::Rk2Midpoint,
-        Integrator::Heun => LinearIntegrator::Rk2Heun,
-        Integrator::RungeKutta3 => LinearIntegrator::Rk3Ssp,
-        Integrator::RungeKutta4 => LinearIntegrator::Rk4,
-        Integrator::PredictorCorrector => LinearIntegrator::PredictorCorrector,
-        Integrator::CentredEuler => {
-            // x' = x + dt v + dt²/2 a, v' = v + dt a, which the analysis does not list.
-            let [_, [f, g]] = mode.operator();
-            let (f, g) = (f * step * step, g * step);
-            let [one, other] =
-                roots(2.0 + 0.5 * f + g, (1.0 + 0.5 * f) * (1.0 + g) - (1.0 + 0.5 * g) * f);
-            // z = e^{−iωΔt}: the wave to the right turns clockwise.
-            return if one.im > 0.0 { [other, one] } else { [one, other] };
-        }
-    };
-    let multipliers = mode.multipliers(linear, step);
+    let multipliers = mode.multipliers(integrator, step);
     [multipliers.forward, multipliers.backward]
 }
 
@@ -304,7 +284,7 @@ impl ParticleCase {
 /// use courant_analysis::dispersion::{Form, WaveMethod};
 /// use courant_analysis::{kernel::Kernel, rational::ratio};
 /// use courant_reports::particle_validation::{ParticleCase, validate_particles};
-/// use courant_simulation::particles::Integrator;
+/// use courant_analysis::integrator::Integrator;
 /// let case = |form| ParticleCase {
 ///     method: WaveMethod::Gph { form },
 ///     kernel: Kernel::CubicSpline,

@@ -125,7 +125,7 @@ impl MethodOptions {
             _ => (Kernel::CubicSpline, 1.0),
         };
         let integrator =
-            if method.is_godunov() { Integrator::CentredEuler } else { Integrator::Heun };
+            if method.is_godunov() { Integrator::CentredEuler } else { Integrator::Rk2Heun };
         Self {
             method,
             kernel,

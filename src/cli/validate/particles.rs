@@ -4,10 +4,11 @@ use super::Arguments;
 use crate::cli::names;
 use crate::cli::numbers::{self, Names};
 use crate::cli::output::{Format, print, print_json, table_text};
-use crate::cli::waves::MethodName;
+use crate::cli::waves::{self, MethodName};
 use crate::cli::{Failure, Outcome};
 use clap::Args;
 use courant::analysis::dispersion::{Form, WaveMethod};
+use courant::analysis::integrator::Integrator;
 use courant::analysis::kernel::Kernel;
 use courant::analysis::rational::{Rational, ratio, to_f64, to_text};
 use courant::reports::advection_validation::FactorRecord;
@@ -17,7 +18,6 @@ use courant::reports::particle_validation::{
     follow_wave, validate_particles,
 };
 use courant::reports::table::{Align, Table};
-use courant::simulation::particles::Integrator;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -27,19 +27,6 @@ pub fn method(text: &str) -> Result<MethodName, String> {
         .into_iter()
         .find(|method| method.name() == text)
         .ok_or_else(|| names::unknown("method", text, &MethodName::ALL.map(MethodName::name)))
-}
-
-fn integrator(text: &str) -> Result<Integrator, String> {
-    // The names of the analysis, where it has another one.
-    let name = match text {
-        "leapfrog-kdk" => "kdk",
-        "leapfrog-kdk-predicted" => "kdk-predicted",
-        other => other,
-    };
-    Integrator::ALL
-        .into_iter()
-        .find(|one| one.name() == name)
-        .ok_or_else(|| names::unknown("integrator", text, &Integrator::ALL.map(Integrator::name)))
 }
 
 /// Options that only particle methods have.
@@ -52,7 +39,7 @@ pub struct Options {
     #[arg(long, value_parser = |text: &str| text.parse::<Form>().map_err(|error| error.to_string()))]
     form: Option<Form>,
     /// Integrators of particle methods, separated by commas (default: all).
-    #[arg(long, value_parser = |text: &str| numbers::names(text, integrator))]
+    #[arg(long, value_parser = |text: &str| numbers::names(text, waves::integrator))]
     integrator: Option<Names<Integrator>>,
 }
 
