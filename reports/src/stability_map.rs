@@ -1,8 +1,8 @@
 //! Maps of the amplification factor over the (smoothing ratio, Courant number) plane.
 
 use crate::figure::{
-    Axis, Bands, Color, ColorBar, Corner, Dash, Field, Figure, FigureError, FilledContours,
-    Isolines, Line, Marker, Markers, Panel, Side,
+    Axis, Bands, Color, ColorBar, Dash, Field, Figure, FigureError, FilledContours, Isolines, Line,
+    Marker, Markers, Panel, Side,
 };
 use crate::npy;
 use courant_analysis::kernel::Kernel;
@@ -136,7 +136,15 @@ impl StabilityMap {
         .layer(FilledContours::new(whole, bands()?))
         .layer(Isolines::new(side(true)?, levels(true)))
         .layer(Isolines::new(side(false)?, levels(false)));
-        if self.differs_from_budget() {
+        let highest = courant_numbers[courant_numbers.len() - 1];
+        let lowest = courant_numbers[0];
+        let reaches_in = |curve: &[CurvePoint]| {
+            curve.windows(2).any(|ends| {
+                let [one, other] = [ends[0].1, ends[1].1];
+                one.max(other).is_finite() && one.max(other) > lowest && one.min(other) < highest
+            })
+        };
+        if self.differs_from_budget() && reaches_in(&self.growth) {
             panel = panel.layer(
                 Line::new(self.growth.iter().copied())
                     .color(Color::BLACK)
@@ -145,13 +153,15 @@ impl StabilityMap {
                     .label("growth 10⁻³ per step"),
             );
         }
-        panel = panel.layer(
-            Line::new(self.stability.iter().copied())
-                .color(Color::BLACK)
-                .width(1.8)
-                .label("stability limit, proved"),
-        );
-        if !self.monotonicity.is_empty() {
+        if reaches_in(&self.stability) {
+            panel = panel.layer(
+                Line::new(self.stability.iter().copied())
+                    .color(Color::BLACK)
+                    .width(1.8)
+                    .label("stability limit, proved"),
+            );
+        }
+        if reaches_in(&self.monotonicity) {
             panel = panel.layer(
                 Line::new(self.monotonicity.iter().copied())
                     .color(Color::YELLOW)
@@ -185,9 +195,9 @@ impl StabilityMap {
     /// When the axes have too few points to draw.
     pub fn figure(&self) -> Result<Figure, FigureError> {
         let title = format!("{}, {}", self.plan.scheme.title(), self.plan.kernel.title());
-        let panel = self.panel(&title, &[])?.legend(Corner::TopLeft);
-        Ok(Figure::single(panel)
-            .size(5.2, 4.0)
+        Ok(Figure::single(self.panel(&title, &[])?)
+            .size(5.2, 4.3)
+            .legend_below()
             .color_bar(ColorBar::new(bands()?, COLOR_BAR_LABEL), Side::Right))
     }
 
@@ -240,9 +250,8 @@ impl StabilityMap {
     }
 }
 
-/// What the colour bar says.
-pub const COLOR_BAR_LABEL: &str =
-    "|g| of the most damped wave where stable (≤ 1), of the fastest growing one where not (> 1)";
+/// What the colour bar says; no line breaks within the conditions.
+pub const COLOR_BAR_LABEL: &str = "|g| of the most damped wave where stable (≤\u{a0}1), of the fastest growing one where not (>\u{a0}1)";
 
 /// The bands of the colour bar.
 ///
@@ -268,4 +277,29 @@ pub struct PublishedPoint {
     pub limit: PublishedLimit,
     /// The ratio and the Courant number.
     pub point: CurvePoint,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use courant_analysis::rational::integer;
+    use courant_analysis::sweep::no_progress;
+
+    #[test]
+    fn curves_outside_the_axes_are_not_in_the_legend() {
+        let svg = |highest: i64| {
+            let plan = MapPlan {
+                scheme: AdvectionScheme::GodunovSph,
+                kernel: Kernel::CubicSpline,
+                ratios: vec![integer(1), integer(2), integer(3)],
+                courant_numbers: (0..=8).map(|index| ratio(index * highest, 8)).collect(),
+            };
+            stability_map(plan, &no_progress).unwrap().figure().unwrap().svg().unwrap()
+        };
+        // Both limits begin at C = 1 and rise: up to 1 they touch a corner and no more.
+        let (low, high) = (svg(1), svg(4));
+        for name in ["stability limit, proved", "monotonicity limit, proved"] {
+            assert!(!low.contains(name) && high.contains(name), "{name}");
+        }
+    }
 }
