@@ -15,7 +15,7 @@ use courant::reports::advection_validation::FactorRecord;
 use courant::reports::number::{finite, significant};
 use courant::reports::particle_validation::{
     FollowedWave, ParticleCase, ParticleModeRow, ParticleValidationError, TOLERANCE, codes,
-    follow_wave, validate_particles,
+    follow_wave, gain, tolerance, validate_particles,
 };
 use courant::reports::table::{Align, Table};
 use rayon::prelude::*;
@@ -108,8 +108,14 @@ impl Compared {
         largest(self.waves.iter().map(FollowedWave::error))
     }
 
+    /// What is allowed relative to the largest factor predicted.
+    fn tolerance(&self) -> f64 {
+        tolerance(largest(self.rows.iter().map(|row| gain(row.predicted))))
+    }
+
     fn passed(&self) -> bool {
-        self.max_error() <= TOLERANCE && self.max_wave_error() <= TOLERANCE
+        self.rows.iter().all(|row| row.error <= tolerance(gain(row.predicted)))
+            && self.max_wave_error() <= TOLERANCE
     }
 }
 
@@ -179,6 +185,7 @@ fn case_table(compared: &[Compared]) -> Table {
             ("codes", Align::Left),
             ("largest |z|", Align::Right),
             ("max error", Align::Right),
+            ("allowed", Align::Right),
             ("waves followed", Align::Right),
             ("max error of ω", Align::Right),
             ("agrees", Align::Left),
@@ -186,7 +193,8 @@ fn case_table(compared: &[Compared]) -> Table {
     );
     for one in compared {
         let case = &one.case;
-        let gain = largest(one.rows.iter().flat_map(|row| row.predicted).map(|z| z.norm()));
+        let largest_factor =
+            largest(one.rows.iter().flat_map(|row| row.predicted).map(|z| z.norm()));
         let names: Vec<&str> = codes(&case.method).iter().map(|code| code.name()).collect();
         table.push([
             case.method.title(),
@@ -194,8 +202,9 @@ fn case_table(compared: &[Compared]) -> Table {
             to_text(&case.ratio),
             case.integrator.name().into(),
             names.join(", "),
-            significant(gain, 7),
+            significant(largest_factor, 7),
             significant(one.max_error(), 2),
+            significant(one.tolerance(), 2),
             one.waves.len().to_string(),
             significant(one.max_wave_error(), 2),
             if one.passed() { "yes" } else { "NO" }.into(),
@@ -248,8 +257,9 @@ fn conclusion(compared: &[Compared], steps: usize) -> String {
         }
     };
     format!(
-        "\n{verdict}; max error {}, allowed {TOLERANCE:e}; {waves} waves followed for up to {steps} steps, max error of ω {}\n",
+        "\n{verdict}; max error {}, allowed {}; {waves} waves followed for up to {steps} steps, max error of ω {}\n",
         significant(largest(compared.iter().map(Compared::max_error)), 3),
+        significant(largest(compared.iter().map(Compared::tolerance)), 3),
         significant(largest(compared.iter().map(Compared::max_wave_error)), 3),
     )
 }
@@ -304,7 +314,7 @@ impl Record {
             waves: Vec::new(),
             max_error: finite(largest(compared.iter().map(Compared::max_error))),
             max_wave_error: finite(largest(compared.iter().map(Compared::max_wave_error))),
-            tolerance: TOLERANCE,
+            tolerance: largest(compared.iter().map(Compared::tolerance)),
             steps,
             passed: compared.iter().all(Compared::passed),
         };
