@@ -2,7 +2,7 @@
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Note, Panel};
 use crate::number::finite;
-use crate::run_record::{ConservationRecord, ErrorNorms, RunRecord};
+use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant_simulation::comparison::Comparison;
 use courant_simulation::method::Method;
 use courant_simulation::run::Run;
@@ -74,6 +74,10 @@ pub fn record(
     run: &Run,
     wall_seconds: f64,
 ) -> RunRecord {
+    let no_norms = match run.failure {
+        Some(_) => BROKEN,
+        None => "the exact solution has a vacuum in the window",
+    };
     let l1 = if run.completed() {
         let l1 = Comparison::inside(scene, run, window(scene)).l1;
         ErrorNorms {
@@ -94,12 +98,14 @@ pub fn record(
         time: run.time,
         completed: run.completed(),
         failure: run.failure.map(|failure| failure.to_string()),
+        l1_note: (!l1.is_complete()).then(|| no_norms.into()),
         l1,
         conservation: ConservationRecord {
             mass: finite(run.conservation.mass),
             momentum: finite(run.conservation.momentum),
             energy: finite(run.conservation.energy),
         },
+        conservation_note: run.failure.map(|_| BROKEN.into()),
         wall_seconds,
     }
 }

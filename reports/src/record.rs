@@ -7,6 +7,7 @@ use courant_analysis::rational::{to_f64, to_latex, to_text};
 use courant_analysis::scheme::{Discretisation, Scheme};
 use courant_analysis::verdict::Check;
 use serde::Serialize;
+use serde::ser::{SerializeStruct, Serializer};
 
 /// A limit. A number that is not finite is `null`, and `reason` says why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -41,7 +42,7 @@ impl From<&Limit> for LimitRecord {
         let unlimited = limit.value().is_infinite();
         Self {
             value: finite(limit.value()),
-            lower: limit.lower(),
+            lower: limit.lower() + 0.0,
             upper: finite(limit.upper()),
             exact: limit.exact().map(ToString::to_string),
             evidence: limit.evidence().name(),
@@ -59,12 +60,28 @@ impl From<&Limit> for LimitRecord {
 }
 
 /// One stable interval of Courant numbers; `to` is `null` where it goes on beyond the range.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct IntervalRecord {
     /// Where it begins.
     pub from: f64,
     /// Where it ends.
     pub to: Option<f64>,
+}
+
+impl Serialize for IntervalRecord {
+    /// `to_note` stands beside a `to` that is `null`.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut record = serializer.serialize_struct("IntervalRecord", 3)?;
+        record.serialize_field("from", &(self.from + 0.0))?;
+        record.serialize_field("to", &self.to)?;
+        match self.to {
+            Some(_) => record.skip_field("to_note")?,
+            None => {
+                record.serialize_field("to_note", "goes on beyond the largest value looked at")?
+            }
+        }
+        record.end()
+    }
 }
 
 /// A growth budget and the limit it allows.

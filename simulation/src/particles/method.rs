@@ -74,6 +74,17 @@ pub enum SolverChoice {
     Exact,
 }
 
+impl SolverChoice {
+    /// The name used on the command line and in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Published => "published",
+            Self::Converged => "converged",
+            Self::Exact => "exact",
+        }
+    }
+}
+
 /// Who shares a time step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StepSharing {
