@@ -173,7 +173,8 @@ impl WaveMap {
         let steps = || kappas.windows(2).map(|pair| 1.0001 * (pair[1] - pair[0]));
         let low = if steps().next().is_some_and(|step| low <= step) { 0.0 } else { low };
         let next = 0.25 * PI * (high / (0.25 * PI)).ceil();
-        let high = if steps().last().is_some_and(|step| next - high < step) { next } else { high };
+        let high =
+            if steps().next_back().is_some_and(|step| next - high < step) { next } else { high };
         wave_number_axis().range(low, high)
     }
 
