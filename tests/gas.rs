@@ -38,6 +38,8 @@ fn every_test_runs_with_every_method() {
             for column in ["density", "velocity", "pressure", "energy"] {
                 assert_eq!(run["l1"][column].as_f64().is_some(), !fails, "{run}");
             }
+            assert_eq!(run["l1_note"].is_null(), !fails, "{run}");
+            assert!(run["conservation_note"].is_null(), "{run}");
             for total in ["mass", "momentum", "energy"] {
                 assert!(run["conservation"][total].as_f64().expect("finite").abs() < 1e-3);
             }

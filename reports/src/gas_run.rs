@@ -90,6 +90,11 @@ pub fn record(
     } else {
         ErrorNorms::default()
     };
+    let conservation = ConservationRecord {
+        mass: finite(run.conservation.mass),
+        momentum: finite(run.conservation.momentum),
+        energy: finite(run.conservation.energy),
+    };
     RunRecord {
         scene: scene.name().into(),
         method: method.name().into(),
@@ -100,12 +105,8 @@ pub fn record(
         failure: run.failure.map(|failure| failure.to_string()),
         l1_note: (!l1.is_complete()).then(|| no_norms.into()),
         l1,
-        conservation: ConservationRecord {
-            mass: finite(run.conservation.mass),
-            momentum: finite(run.conservation.momentum),
-            energy: finite(run.conservation.energy),
-        },
-        conservation_note: run.failure.map(|_| BROKEN.into()),
+        conservation_note: (!conservation.is_complete()).then(|| BROKEN.into()),
+        conservation,
         wall_seconds,
     }
 }

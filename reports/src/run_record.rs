@@ -37,6 +37,13 @@ pub struct ConservationRecord {
     pub energy: Option<f64>,
 }
 
+impl ConservationRecord {
+    /// Whether all three drifts are there.
+    pub fn is_complete(&self) -> bool {
+        [self.mass, self.momentum, self.energy].iter().all(Option::is_some)
+    }
+}
+
 /// Why a run that did not reach its end has no norms.
 pub const BROKEN: &str = "the run broke down";
 

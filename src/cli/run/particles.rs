@@ -172,6 +172,11 @@ fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
     let isothermal = matches!(plan.scene.material, Material::Isothermal(_));
     let options = &plan.options;
     let godunov = options.method.is_godunov();
+    let conservation = ConservationRecord {
+        mass: finite(run.drift.mass),
+        momentum: finite(run.drift.momentum),
+        energy: run.drift.energy.and_then(finite),
+    };
     ParticleRecord {
         run: RunRecord {
             scene: plan.scene.name.into(),
@@ -195,16 +200,12 @@ fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
                 None if exact => Some(NO_EXACT.into()),
                 None => Some(TOO_LATE.into()),
             },
-            conservation: ConservationRecord {
-                mass: finite(run.drift.mass),
-                momentum: finite(run.drift.momentum),
-                energy: run.drift.energy.and_then(finite),
+            conservation_note: match isothermal {
+                _ if conservation.is_complete() => None,
+                true => Some(NO_ENERGY.into()),
+                false => Some(BROKEN.into()),
             },
-            conservation_note: if isothermal {
-                Some(NO_ENERGY.into())
-            } else {
-                (!run.completed()).then(|| BROKEN.into())
-            },
+            conservation,
             wall_seconds: seconds,
         },
         kernel: options.kernel.name(),
