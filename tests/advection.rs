@@ -117,6 +117,8 @@ fn a_run_writes_profile_pictures_and_record() {
     assert_eq!((&answer["completed"], &answer["failure"]), (&Value::from(true), &Value::Null));
     // 80 particles at C = 8/5 take exactly 50 steps.
     assert_eq!((&answer["steps"], &answer["cfl"]), (&Value::from(50), &Value::from(1.6)));
+    // What an advection scheme does not have is null with a note.
+    assert!(answer["l1_note"].is_string() && answer["conservation_note"].is_string());
     // At the monotonicity limit the values stay within the data.
     assert!(answer["maximum"].as_f64().unwrap() <= 1.0 + 1e-13);
     assert!(answer["minimum"].as_f64().unwrap() >= 0.25 - 1e-13);
@@ -174,6 +176,8 @@ fn a_run_that_overflows_is_told_with_its_reason() {
     let answer = json(&run(place.path(), &arguments).success());
     assert_eq!(answer["completed"], false);
     assert!(answer["failure"].as_str().unwrap().contains("overflowed"));
+    assert_eq!(answer["l1_note"], "the run broke down");
+    assert_eq!(answer["conservation_note"], "the run broke down");
     assert!(answer["l1"]["value"].is_null() && answer["time"].as_f64().unwrap() < 500.0);
 }
 
@@ -185,6 +189,11 @@ fn bad_runs_are_refused_before_anything_is_written() {
     for (arguments, words) in [
         (vec!["advection-stepp"], vec!["advection-stepp", "advection-step"]),
         (vec!["advection-step", "--method", "gph"], vec!["--method", "gph", "godunov-sph"]),
+        (vec!["advection-waves", "--waves", "101"], vec!["--waves 101", "200", "100"]),
+        (vec!["advection-waves", "--waves", "-1"], vec!["--waves", "-1", "whole"]),
+        (vec!["advection-step", "--seed", "-1"], vec!["--seed", "-1", "whole"]),
+        (vec!["advection-step", "--disorder", "-1"], vec!["--disorder", "-1", "negative"]),
+        (vec!["advection-step", "--alpha", "1"], vec!["--alpha", "advection"]),
         (vec!["advection-step", "--waves", "3"], vec!["--waves 3", "advection-waves"]),
         (vec!["advection-step", "--disorder", "0.1"], vec!["--disorder", "--layout"]),
         (vec!["advection-step", "--seed", "1"], vec!["--seed", "--layout"]),
@@ -199,4 +208,35 @@ fn bad_runs_are_refused_before_anything_is_written() {
         refused(&all, &words);
         assert!(!Path::new(out).exists());
     }
+}
+
+#[test]
+fn the_shortest_wave_is_the_last_that_is_accepted() {
+    let place = tempfile::tempdir().unwrap();
+    for waves in ["--waves=8", "--waves=10"] {
+        run(place.path(), &["advection-waves", "--particles", "20", waves]).success();
+    }
+    // Without the option there are fewer waves on few particles.
+    run(place.path(), &["advection-waves", "--particles", "6"]).success();
+}
+
+#[test]
+fn a_run_as_csv_is_its_record() {
+    let place = tempfile::tempdir().unwrap();
+    let table = stdout(&run(place.path(), &["advection-step", "--format", "csv"]).success());
+    let record = json(&run(place.path(), &["advection-step", "--format", "json"]).success());
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines.len(), 2, "{table}");
+    let names: Vec<&str> = lines[0].split(',').collect();
+    let mut unique = names.clone();
+    unique.sort_unstable();
+    unique.dedup();
+    assert_eq!(unique.len(), names.len());
+    let cell = |name: &str| {
+        let index = names.iter().position(|known| *known == name).expect(name);
+        lines[1].split(',').nth(index).expect("as many cells as names")
+    };
+    // Every digit, and nothing where the record has null.
+    assert_eq!(cell("l1.value").parse().ok(), record["l1"]["value"].as_f64());
+    assert_eq!((cell("l1.density"), cell("ratio")), ("", "2"));
 }

@@ -159,6 +159,57 @@ fn symbol_is_exact_where_the_data_are() {
 }
 
 #[test]
+fn what_is_named_twice_counts_once() {
+    let rows = |kernel: &str, ratio: &str| {
+        let plain = ["limits", "--scheme", "godunov-sph", "--format", "json"];
+        json(&[&plain[..], &["--kernel", kernel, "--ratio", ratio]].concat())["rows"].clone()
+    };
+    assert_eq!(rows("cubic,cubic,m4", "2,4/2"), rows("cubic", "2"));
+}
+
+#[test]
+fn an_interval_without_an_end_says_so_and_zero_has_no_sign() {
+    let limits = |scheme: &str, most: &str| {
+        let arguments =
+            ["limits", "--scheme", scheme, "--ratio", "2", "--max-cfl", most, "--format", "json"];
+        courant(&arguments).stdout
+    };
+    let row = |text: &[u8]| serde_json::from_slice::<Value>(text).unwrap()["rows"][0].clone();
+    let open = row(&limits("godunov-sph", "1"))["stable_set"][0].clone();
+    assert!(open["to"].is_null() && open["to_note"].is_string(), "{open}");
+    let closed = row(&limits("godunov-sph", "3"))["stable_set"][0].clone();
+    assert!(closed["to"].is_f64() && closed.get("to_note").is_none(), "{closed}");
+    assert!(!text(&limits("euler-sph", "1")).contains("-0.0"));
+}
+
+#[test]
+fn check_as_csv_is_one_row_under_the_keys_of_the_record() {
+    let check = |arguments: &[&str]| {
+        let all = [&["check"], arguments, &["--ratio", "2", "--cfl", "1", "--format", "csv"]];
+        text(&courant(&all.concat()).stdout)
+    };
+    for arguments in [&["--scheme", "godunov-sph"][..], &["--method", "sph", "--integrator", "kdk"]]
+    {
+        let shown = check(arguments);
+        let lines: Vec<&str> = shown.lines().collect();
+        assert_eq!(lines.len(), 2, "{shown}");
+        let names: Vec<&str> = lines[0].split(',').collect();
+        assert!(names.contains(&"verdict") && names.contains(&"stability.value"), "{shown}");
+        assert_eq!(names.len(), lines[1].split(',').count(), "{shown}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_output_is_named() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("courant"));
+    let output = command.arg("list").stdout(full).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("standard output"), "{}", text(&output.stderr));
+}
+
+#[test]
 fn every_format_has_its_shape() {
     let limits = |format: &str| {
         text(
@@ -227,6 +278,20 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
         ),
         (vec!["limits", "--scheme", "godunov-sph", "--ratio", ""], vec!["--ratio", "empty"]),
         (vec!["limits", "--scheme", "godunov-sph"], vec!["--ratio", "required"]),
+        (vec!["limits"], vec!["--ratio", "--scheme", "--method", "required"]),
+        (vec!["check", "--scheme", "godunov-sph", "--cfl", "1", "--ratio"], vec!["--ratio", "3/2"]),
+        (vec!["limits", "--scheme", "--ratio", "2"], vec!["--scheme", "lax-wendroff-sph"]),
+        (vec!["map", "--scheme", "godunov-sph", "--out", ""], vec!["--out", "Directory"]),
+        (
+            vec!["limits", "--scheme", "godunov-sph", "--ratio", "1", "--samples", "-3"],
+            vec!["--samples", "-3", "whole number"],
+        ),
+        (
+            vec!["limits", "--scheme", "godunov-sph", "--ratio", "1", "--threads", "-1"],
+            vec!["--threads", "-1", "whole number"],
+        ),
+        (vec!["list", "kernels", "schemes"], vec!["`schemes`", "one argument too many"]),
+        (vec!["man", "limitz"], vec!["limitz", "`limits`"]),
         (
             vec!["check", "--scheme", "godunov-sph", "--ratio", "1", "--cfl", "0"],
             vec!["--cfl", "above 0"],
@@ -333,7 +398,19 @@ fn a_map_writes_every_format_and_nothing_depends_on_threads() {
 #[test]
 fn completions_manual_and_lists_are_there() {
     assert!(text(&courant(&["completions", "bash"]).stdout).contains("_courant"));
-    assert!(text(&courant(&["man"]).stdout).contains(".TH courant"));
+    assert!(text(&courant(&["man"]).stdout).contains(".TH courant 1"));
+    let limits = courant(&["man", "limits"]).stdout;
+    assert!(text(&limits).contains("growth"));
+    let place = tempfile::tempdir().unwrap();
+    assert!(courant(&["man", "--out", place.path().to_str().unwrap()]).status.success());
+    assert_eq!(std::fs::read(place.path().join("courant-limits.1")).unwrap(), limits);
+    // Every page that the first one names is there.
+    let page = std::fs::read_to_string(place.path().join("courant.1")).unwrap().replace('\\', "");
+    let named: Vec<&str> = page.lines().filter_map(|line| line.strip_suffix("(1)")).collect();
+    assert_eq!(named.len(), 12, "{named:?}");
+    for name in named {
+        assert!(place.path().join(format!("{name}.1")).exists(), "{name}");
+    }
     let kernels = json(&["list", "kernels", "--format", "json"]);
     assert_eq!(kernels["kernels"].as_array().unwrap().len(), 7);
     let schemes = text(&courant(&["list", "schemes"]).stdout);

@@ -38,6 +38,8 @@ fn every_test_runs_with_every_method() {
             for column in ["density", "velocity", "pressure", "energy"] {
                 assert_eq!(run["l1"][column].as_f64().is_some(), !fails, "{run}");
             }
+            assert_eq!(run["l1_note"].is_null(), !fails, "{run}");
+            assert!(run["conservation_note"].is_null(), "{run}");
             for total in ["mass", "momentum", "energy"] {
                 assert!(run["conservation"][total].as_f64().expect("finite").abs() < 1e-3);
             }
@@ -63,6 +65,20 @@ fn options_reach_the_run() {
     let error = |more: &[&str]| run(more)["l1"]["density"].as_f64().expect("it ends");
     assert!(error(&["--ratio", "4"]) > error(&[]));
     assert_ne!(error(&["--kernel", "wendland-c2"]), error(&[]));
+    for choice in [["--roe-mean", "volume"], ["--contact", "1/2"], ["--contact-form", "mass-flux"]]
+    {
+        assert_ne!(error(&choice), error(&[]), "{choice:?}");
+    }
+    let viscous = |alpha: &str, beta: &str| {
+        let plain = ["run", "sod", "--method", "sph-adke", "--format", "json"];
+        let run = json(&[&plain[..], &["--alpha", alpha, "--beta", beta]].concat(), place.path());
+        run["l1"]["density"].as_f64().expect("it ends")
+    };
+    assert!(viscous("1", "2") != viscous("1/2", "2") && viscous("1", "2") != viscous("1", "1"));
+    assert_eq!(
+        (&run(&[])["ratio"], &run(&["--ratio", "7/3"])["ratio"]),
+        (&"2".into(), &"7/3".into())
+    );
     let wave = ["run", "simple-wave", "--method", "lagrangian-exact", "--format", "json"];
     // The amplitude is 0.1.
     assert!(json(&wave, place.path())["l1"]["density"].as_f64().expect("it ends") < 0.03);
@@ -86,6 +102,9 @@ fn bad_input_is_one_line_and_writes_nothing() {
             vec!["run", "simple-wave", "--method", "lagrangian-roe", "--time", "9"],
             ["--time 9", "below"],
         ),
+        ([&volumes[..], &["--alpha", "2"]].concat(), ["--alpha", "finite-volume"]),
+        ([&roe[..], &["--beta", "2"]].concat(), ["--beta", "--contact-form"]),
+        ([&roe[..], &["--riemann", "exact"]].concat(), ["--riemann", "lagrangian-roe"]),
         (vec!["run", "nowhere.toml", "--method", "lagrangian-roe"], ["nowhere.toml", "density"]),
     ] {
         let (code, text, problem) = courant(&arguments, &out);

@@ -99,6 +99,10 @@ impl Ring {
                 let v = add(v, dt, &force(x, v));
                 (add(x, dt, &v), v)
             }
+            Integrator::CentredEuler => {
+                let new = add(v, dt, &force(x, v));
+                (add(&add(x, 0.5 * dt, v), 0.5 * dt, &new), new)
+            }
             Integrator::LeapfrogKdk | Integrator::LeapfrogKdkPredicted => {
                 let a = force(x, v);
                 let half = add(v, 0.5 * dt, &a);

@@ -1,8 +1,8 @@
 //! One advection run as files: the profile as CSV and picture, the numbers as JSON.
 
-use crate::figure::{Axis, Color, Corner, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
-use crate::run_record::{ConservationRecord, ErrorNorms, RunRecord};
+use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant_analysis::rational::{Rational, to_text};
 use courant_simulation::advection::{AdvectionRun, Layout, Outcome, RunPlan};
 use serde::Serialize;
@@ -63,10 +63,23 @@ impl AdvectionRecord {
                 completed: failure.is_none(),
                 failure: failure.clone(),
                 l1: ErrorNorms { value: finite(seen.l1), ..ErrorNorms::default() },
+                l1_note: Some(match failure {
+                    None => "one quantity is advected: its norm is `value`".into(),
+                    Some(_) => BROKEN.into(),
+                }),
                 conservation: ConservationRecord {
                     mass: relative.and_then(finite),
                     ..ConservationRecord::default()
                 },
+                conservation_note: Some(match (&failure, relative) {
+                    (Some(_), _) => BROKEN.into(),
+                    (None, Some(_)) => {
+                        "one quantity is advected: the drift of its mean is `mass`".into()
+                    }
+                    (None, None) => {
+                        "the mean is zero and has no relative drift: see `mean_drift`".into()
+                    }
+                }),
                 wall_seconds,
             },
             kernel: plan.method.kernel.name().into(),
@@ -162,9 +175,8 @@ pub fn profile_figure(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun) -
                 .fill(Color::WHITE)
                 .size(3.0)
                 .label("computed"),
-        )
-        .legend(Corner::TopRight);
-    Figure::single(panel).title(title).size(6.0, 3.8)
+        );
+    Figure::single(panel).title(title).size(6.0, 3.9).legend_below()
 }
 
 #[cfg(test)]

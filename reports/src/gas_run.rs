@@ -2,7 +2,7 @@
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::finite;
-use crate::run_record::{ConservationRecord, ErrorNorms, RunRecord};
+use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant_simulation::comparison::Comparison;
 use courant_simulation::method::Method;
 use courant_simulation::run::Run;
@@ -74,6 +74,10 @@ pub fn record(
     run: &Run,
     wall_seconds: f64,
 ) -> RunRecord {
+    let no_norms = match run.failure {
+        Some(_) => BROKEN,
+        None => "the exact solution has a vacuum in the window",
+    };
     let l1 = if run.completed() {
         let l1 = Comparison::inside(scene, run, window(scene)).l1;
         ErrorNorms {
@@ -86,6 +90,11 @@ pub fn record(
     } else {
         ErrorNorms::default()
     };
+    let conservation = ConservationRecord {
+        mass: finite(run.conservation.mass),
+        momentum: finite(run.conservation.momentum),
+        energy: finite(run.conservation.energy),
+    };
     RunRecord {
         scene: scene.name().into(),
         method: method.name().into(),
@@ -94,12 +103,10 @@ pub fn record(
         time: run.time,
         completed: run.completed(),
         failure: run.failure.map(|failure| failure.to_string()),
+        l1_note: (!l1.is_complete()).then(|| no_norms.into()),
         l1,
-        conservation: ConservationRecord {
-            mass: finite(run.conservation.mass),
-            momentum: finite(run.conservation.momentum),
-            energy: finite(run.conservation.energy),
-        },
+        conservation_note: (!conservation.is_complete()).then(|| BROKEN.into()),
+        conservation,
         wall_seconds,
     }
 }

@@ -1,8 +1,17 @@
 //! Numbers as people and scripts read them.
 
+use courant_analysis::rational::{parse, to_text};
+
 /// A number for JSON, which has none that is not finite.
 pub fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
+    // Zero has no sign for people and scripts.
+    value.is_finite().then_some(value + 0.0)
+}
+
+/// A smoothing ratio as it is written exactly, from the shortest decimal that is this number: `1.05` is 21/20.
+pub fn exact_text(value: f64) -> String {
+    let decimal = value.to_string();
+    parse(&decimal).map_or(decimal, |exact| to_text(&exact))
 }
 
 /// A number with a fixed count of significant digits, in scientific notation when it is very small or
@@ -35,7 +44,14 @@ pub fn significant(value: f64, digits: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::significant;
+    use super::{exact_text, finite, significant};
+
+    #[test]
+    fn numbers_for_scripts() {
+        assert!(finite(-0.0).is_some_and(f64::is_sign_positive));
+        assert_eq!(finite(f64::NAN), None);
+        assert_eq!([1.05, 2.0].map(exact_text), ["21/20", "2"]);
+    }
 
     #[test]
     fn digits_are_significant_ones() {

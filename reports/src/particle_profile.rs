@@ -116,7 +116,8 @@ pub fn profile_panel(
         .into_iter()
         .map(|i| (run.profile.x[i], quantity.of_particle(scene, &run.profile, run.time, i)))
         .collect();
-    if exact {
+    // A line without points would still have a name in the legend.
+    if exact && scene.exact(from, run.time).is_some() {
         panel = panel.layer(exact_line(scene, quantity, run.time));
     }
     panel.layer(

@@ -6,13 +6,13 @@
 
 use crate::number::significant;
 use courant_analysis::dispersion::{Mode, WaveMethod, WaveScheme};
-use courant_analysis::integrator::Integrator as LinearIntegrator;
+use courant_analysis::integrator::Integrator;
 use courant_analysis::kernel::Kernel;
 use courant_analysis::lattice::RatioOutOfRange;
 use courant_analysis::rational::{Rational, to_f64};
 use courant_simulation::particles::{
-    ActsOn, Amplification, Godunov, Integrator, IsothermalGas, OwnKernels, PairForce,
-    ParticleMethod, PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity,
+    ActsOn, Amplification, Godunov, IsothermalGas, OwnKernels, PairForce, ParticleMethod,
+    PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity,
 };
 use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
 use courant_simulation::run::Reason;
@@ -22,10 +22,24 @@ use std::f64::consts::TAU;
 /// Agreement asked for. Differences are good to 1e-9 by the choice of step; the rest is room.
 pub const TOLERANCE: f64 = 1e-6;
 
-/// Amplitude of the finite differences, in spacings and sound speeds. At a knot of the kernel the third derivative
-/// jumps and leaves an error of first order in the size, which [`amplification`] removes; the second order is 1e-12,
-/// rounding 1e-16 over the size.
-const SIZE: f64 = 1e-6;
+/// Rounding of a position on the ring: half a unit in the last place of 16 to 32 spacings.
+const ROUNDING: f64 = 2e-15;
+
+/// Amplitude of the finite differences, in spacings and sound speeds, where a step multiplies waves by `gain` at
+/// most. At a knot of the kernel the third derivative jumps and leaves an error of first order in the size, which
+/// [`amplification`] removes; the second order is 1e-12, rounding 1e-16 over the size. A large gain takes the
+/// particles `gain · size` from the lattice: relative to the gain the error is `(gain · size)²` from there and
+/// `ROUNDING/size`, least where `size³ = ROUNDING/(2 gain²)`.
+fn size(gain: f64) -> f64 {
+    (0.5 * ROUNDING / (gain * gain)).cbrt().min(1e-6)
+}
+
+/// Agreement asked for where a step multiplies waves by `gain` at most, relative to it: [`TOLERANCE`], or ten times
+/// the error that [`size`] leaves where that is more, from a gain of about 6000 on.
+pub fn tolerance(gain: f64) -> f64 {
+    let size = size(gain);
+    TOLERANCE.max(10.0 * ((gain * size).powi(2) + ROUNDING / size))
+}
 
 /// Why nothing can be compared.
 #[derive(Debug, thiserror::Error)]
@@ -126,27 +140,7 @@ pub fn codes(method: &WaveMethod) -> &'static [ParticleMethod] {
 
 /// What one step multiplies the two waves of a mode by, by the relation; `step` is `c Δt/Δ`.
 fn predicted(mode: &Mode, integrator: Integrator, step: f64) -> [Complex64; 2] {
-    let linear = match integrator {
-        Integrator::ForwardEuler => LinearIntegrator::ForwardEuler,
-        Integrator::SymplecticEuler => LinearIntegrator::SymplecticEuler,
-        Integrator::KickDriftKick => LinearIntegrator::LeapfrogKdk,
-        Integrator::KickDriftKickPredicted => LinearIntegrator::LeapfrogKdkPredicted,
-        Integrator::Midpoint => LinearIntegrator::Rk2Midpoint,
-        Integrator::Heun => LinearIntegrator::Rk2Heun,
-        Integrator::RungeKutta3 => LinearIntegrator::Rk3Ssp,
-        Integrator::RungeKutta4 => LinearIntegrator::Rk4,
-        Integrator::PredictorCorrector => LinearIntegrator::PredictorCorrector,
-        Integrator::CentredEuler => {
-            // x' = x + dt v + dt²/2 a, v' = v + dt a, which the analysis does not list.
-            let [_, [f, g]] = mode.operator();
-            let (f, g) = (f * step * step, g * step);
-            let [one, other] =
-                roots(2.0 + 0.5 * f + g, (1.0 + 0.5 * f) * (1.0 + g) - (1.0 + 0.5 * g) * f);
-            // z = e^{−iωΔt}: the wave to the right turns clockwise.
-            return if one.im > 0.0 { [other, one] } else { [one, other] };
-        }
-    };
-    let multipliers = mode.multipliers(linear, step);
+    let multipliers = mode.multipliers(integrator, step);
     [multipliers.forward, multipliers.backward]
 }
 
@@ -160,19 +154,27 @@ fn factors([[a, b], [c, d]]: Amplification) -> [Complex64; 2] {
     roots(a + d, a * d - b * c)
 }
 
+/// The largest factor, at least 1: what rounding is relative to.
+pub fn gain(factors: [Complex64; 2]) -> f64 {
+    factors[0].norm().max(factors[1].norm()).max(1.0)
+}
+
 /// The larger distance of the two factors from their predictions, paired as fits best, which is also how the
-/// measured ones come back.
+/// measured ones come back; over the largest predicted `|z|` where that is above 1, since the entries of the
+/// measured matrix are good to that.
 ///
 /// Where the two factors nearly coincide, a change `ε` of the matrix moves them by `√ε`. Within 1e-3 of each
 /// other their distance is therefore weighed with their split, so that it falls with `ε` again.
 pub fn pair_error(predicted: [Complex64; 2], measured: [Complex64; 2]) -> ([Complex64; 2], f64) {
     const CLOSE: f64 = 1e-3;
-    let distance =
-        |pair: [Complex64; 2]| (pair[0] - predicted[0]).norm().max((pair[1] - predicted[1]).norm());
+    let size = gain(predicted);
+    let distance = |pair: [Complex64; 2]| {
+        (pair[0] - predicted[0]).norm().max((pair[1] - predicted[1]).norm()) / size
+    };
     let swapped = [measured[1], measured[0]];
     let (direct, crossed) = (distance(measured), distance(swapped));
     let (pair, error) = if crossed < direct { (swapped, crossed) } else { (measured, direct) };
-    let split = (predicted[0] - predicted[1]).norm();
+    let split = (predicted[0] - predicted[1]).norm() / size;
     (pair, error * (error.max(split) / CLOSE).min(1.0))
 }
 
@@ -206,15 +208,16 @@ struct Linearise<'a> {
     integrator: Integrator,
     step: f64,
     mode: usize,
+    size: f64,
 }
 
 impl ForceVisitor for Linearise<'_> {
     type Output = Result<Amplification, Reason>;
     fn visit<F: PairForce>(self, force: &F) -> Self::Output {
-        let Self { ring, integrator, step, mode } = self;
+        let Self { ring, integrator, step, mode, size } = self;
         let at = |size| ring.amplification(force, integrator, step, mode, size);
         // 2A(s) − A(2s) has no error of first order in s.
-        let (fine, coarse) = (at(SIZE)?, at(2.0 * SIZE)?);
+        let (fine, coarse) = (at(size)?, at(2.0 * size)?);
         Ok([0, 1].map(|row| [0, 1].map(|column| 2.0 * fine[row][column] - coarse[row][column])))
     }
 }
@@ -237,7 +240,7 @@ impl ForceVisitor for Follow<'_> {
         let count = ring.particles;
         let angle = |j: usize| TAU * ((mode * j) % count) as f64 / count as f64;
         let lattice = ring.lattice();
-        let amplitude = 0.1 * SIZE;
+        let amplitude = 0.1 * size(1.0);
         let mut x: Vec<f64> = (0..count).map(|j| lattice[j] + amplitude * angle(j).cos()).collect();
         let mut v: Vec<f64> =
             (0..count).map(|j| amplitude * (velocity * Complex64::cis(angle(j))).re).collect();
@@ -304,7 +307,7 @@ impl ParticleCase {
 /// use courant_analysis::dispersion::{Form, WaveMethod};
 /// use courant_analysis::{kernel::Kernel, rational::ratio};
 /// use courant_reports::particle_validation::{ParticleCase, validate_particles};
-/// use courant_simulation::particles::Integrator;
+/// use courant_analysis::integrator::Integrator;
 /// let case = |form| ParticleCase {
 ///     method: WaveMethod::Gph { form },
 ///     kernel: Kernel::CubicSpline,
@@ -332,10 +335,11 @@ pub fn validate_particles(
     for &code in codes(&case.method) {
         for mode in 1..=case.particles / 2 {
             let phase = case.phase(mode);
-            let linearise = Linearise { ring: &ring, integrator, step, mode };
+            let predicted = predicted(&waves.mode(phase), integrator, step);
+            let linearise =
+                Linearise { ring: &ring, integrator, step, mode, size: size(gain(predicted)) };
             let matrix =
                 with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
-            let predicted = predicted(&waves.mode(phase), integrator, step);
             let (measured, error) = pair_error(predicted, factors(matrix));
             rows.push(ParticleModeRow { code, mode, phase, predicted, measured, error });
         }
@@ -361,7 +365,8 @@ pub fn follow_wave(
     let step = case.step();
     let expected = predicted(&scheme.compile().mode(phase), case.integrator, step);
     // The eigenvector of the running step: what is measured owes the relation nothing but the choice of the wave.
-    let linearise = Linearise { ring: &ring, integrator: case.integrator, step, mode };
+    let size = size(gain(expected));
+    let linearise = Linearise { ring: &ring, integrator: case.integrator, step, mode, size };
     let matrix =
         with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
     let ([started, _], _) = pair_error(expected, factors(matrix));

@@ -47,7 +47,7 @@ impl From<&Limit> for LimitRecord {
         let unlimited = limit.value().is_infinite();
         Self {
             value: finite(limit.value()),
-            lower: limit.lower(),
+            lower: limit.lower() + 0.0,
             upper: finite(limit.upper()),
             exact: limit.exact().map(ToString::to_string),
             decimal: None,
@@ -90,14 +90,15 @@ pub struct IntervalRecord {
     pub to: Option<f64>,
     /// Why the end is `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    pub to_note: Option<String>,
 }
 
 impl IntervalRecord {
     /// From one number to another; without an end where the interval goes on beyond what was looked at.
     pub fn new(from: f64, to: f64, range_end: f64) -> Self {
-        let reason = format!("no end up to {}", significant(range_end, 6));
-        Self { from, to: finite(to), reason: to.is_infinite().then_some(reason) }
+        let note = format!("no end up to {}", significant(range_end, 6));
+        // Adding zero turns −0 into 0.
+        Self { from: from + 0.0, to: finite(to), to_note: to.is_infinite().then_some(note) }
     }
 
     /// From 0 to a limit.

@@ -19,6 +19,13 @@ pub struct ErrorNorms {
     pub energy: Option<f64>,
 }
 
+impl ErrorNorms {
+    /// Whether all four norms of a gas are there.
+    pub fn is_complete(&self) -> bool {
+        [self.density, self.velocity, self.pressure, self.energy].iter().all(Option::is_some)
+    }
+}
+
 /// Relative change of a total over the run; `null` where the scene has no such total.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct ConservationRecord {
@@ -29,6 +36,16 @@ pub struct ConservationRecord {
     /// Total energy.
     pub energy: Option<f64>,
 }
+
+impl ConservationRecord {
+    /// Whether all three drifts are there.
+    pub fn is_complete(&self) -> bool {
+        [self.mass, self.momentum, self.energy].iter().all(Option::is_some)
+    }
+}
+
+/// Why a run that did not reach its end has no norms.
+pub const BROKEN: &str = "the run broke down";
 
 /// One run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -49,8 +66,12 @@ pub struct RunRecord {
     pub failure: Option<String>,
     /// Error norms.
     pub l1: ErrorNorms,
+    /// Why norms are `null`, where some are.
+    pub l1_note: Option<String>,
     /// Drift of the conserved totals.
     pub conservation: ConservationRecord,
+    /// Why drifts are `null`, where some are.
+    pub conservation_note: Option<String>,
     /// Wall-clock time of the stepping in seconds.
     pub wall_seconds: f64,
 }

@@ -1,8 +1,8 @@
 //! Maps of the amplification factor over the (smoothing ratio, Courant number) plane.
 
 use crate::figure::{
-    Axis, Bands, Color, ColorBar, Corner, Dash, Field, Figure, FigureError, FilledContours,
-    Isolines, Line, Marker, Markers, Panel, Side,
+    Axis, Bands, Color, ColorBar, Dash, Field, Figure, FigureError, FilledContours, Isolines, Line,
+    Marker, Markers, Panel, Side,
 };
 use crate::npy;
 use courant_analysis::kernel::Kernel;
@@ -143,7 +143,15 @@ impl StabilityMap {
         .layer(FilledContours::new(whole, bands()?))
         .layer(Isolines::new(side(true)?, levels(true)))
         .layer(Isolines::new(side(false)?, levels(false)));
-        if self.differs_from_budget() {
+        let highest = courant_numbers[courant_numbers.len() - 1];
+        let lowest = courant_numbers[0];
+        let reaches_in = |curve: &[CurvePoint]| {
+            curve.windows(2).any(|ends| {
+                let [one, other] = [ends[0].1, ends[1].1];
+                one.max(other).is_finite() && one.max(other) > lowest && one.min(other) < highest
+            })
+        };
+        if self.differs_from_budget() && reaches_in(&self.growth) {
             panel = panel.layer(
                 Line::new(self.growth.iter().copied())
                     .color(Color::BLACK)
@@ -152,7 +160,8 @@ impl StabilityMap {
                     .label("growth 10⁻³ per step"),
             );
         }
-        for stretch in stretches(&self.stability) {
+        let drawn = reaches_in(&self.stability).then_some(self.stability.as_slice());
+        for stretch in drawn.into_iter().flat_map(stretches) {
             let limit = match stretch {
                 // A line of one point has no length.
                 [point] => {
@@ -165,7 +174,7 @@ impl StabilityMap {
             };
             panel = panel.layer(limit.color(Color::BLACK).width(1.8).label("stability limit"));
         }
-        if !self.monotonicity.is_empty() {
+        if reaches_in(&self.monotonicity) {
             panel = panel.layer(
                 Line::new(self.monotonicity.iter().copied())
                     .color(Color::YELLOW)
@@ -228,9 +237,9 @@ impl StabilityMap {
             self.plan.kernel.title(),
             self.evidence.name()
         );
-        let panel = self.panel(&title, &[])?.legend(Corner::TopLeft);
-        Ok(Figure::single(panel)
-            .size(5.2, 4.0)
+        Ok(Figure::single(self.panel(&title, &[])?)
+            .size(5.2, 4.3)
+            .legend_below()
             .color_bar(ColorBar::new(bands()?, COLOR_BAR_LABEL), Side::Right))
     }
 
@@ -340,5 +349,23 @@ mod tests {
         // The growth at ratio 3 and C = 3, by the grid's own entry.
         let growth = map.gains.growth[[1, 3]];
         assert!(growth > 1e-6 && map.growth_without_limit() == Some([growth, growth]));
+    }
+
+    #[test]
+    fn curves_outside_the_axes_are_not_in_the_legend() {
+        let svg = |highest: i64| {
+            let plan = MapPlan {
+                scheme: AdvectionScheme::GodunovSph,
+                kernel: Kernel::CubicSpline,
+                ratios: vec![integer(1), integer(2), integer(3)],
+                courant_numbers: (0..=8).map(|index| ratio(index * highest, 8)).collect(),
+            };
+            stability_map(plan, &no_progress).unwrap().figure().unwrap().svg().unwrap()
+        };
+        // Both limits begin at C = 1 and rise: up to 1 they touch a corner and no more.
+        let (low, high) = (svg(1), svg(4));
+        for name in ["stability limit", "monotonicity limit"] {
+            assert!(!low.contains(name) && high.contains(name), "{name}");
+        }
     }
 }

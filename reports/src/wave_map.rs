@@ -124,12 +124,9 @@ impl WaveMap {
             Shown::PhaseError => "smoothing ratio h/Δ",
             Shown::Amplitude => "viscosity coefficient α",
         };
-        let mut panel = Panel::new(
-            wave_number_axis().spanning(&self.kappas),
-            Axis::linear(name).spanning(&self.second),
-        )
-        .title(title)
-        .layer(FilledContours::new(field(self.values.clone())?, self.bands()?));
+        let mut panel = Panel::new(self.wave_numbers(), Axis::linear(name).spanning(&self.second))
+            .title(title)
+            .layer(FilledContours::new(field(self.values.clone())?, self.bands()?));
         // Where nothing travels the error is 1 by definition: its isolines would only crowd the border.
         let mut travelling = self.values.clone();
         travelling.zip_mut_with(&self.damping_ratio, |value, ratio| {
@@ -166,6 +163,19 @@ impl WaveMap {
         let growing = regions(&unstable, 0.5)
             .map(|region| region.hatch(Color::VERMILION).label("lattice unstable: the wave grows"));
         Ok(panel.layers(growing))
+    }
+
+    /// The axis of this map's wave numbers. An end that stops less than a step short of 0 or of a labelled tick
+    /// is drawn up to it: a map cannot begin at 0, and decimals do not reach π.
+    fn wave_numbers(&self) -> Axis {
+        let kappas = &self.kappas;
+        let (low, high) = (kappas[0], kappas[kappas.len() - 1]);
+        let steps = || kappas.windows(2).map(|pair| 1.0001 * (pair[1] - pair[0]));
+        let low = if steps().next().is_some_and(|step| low <= step) { 0.0 } else { low };
+        let next = 0.25 * PI * (high / (0.25 * PI)).ceil();
+        let high =
+            if steps().next_back().is_some_and(|step| next - high < step) { next } else { high };
+        wave_number_axis().range(low, high)
     }
 
     /// The bands of the colour bar.
@@ -231,7 +241,7 @@ impl WaveMap {
     }
 }
 
-/// The axis of wave numbers, up to the shortest wave of the lattice.
+/// The axis of wave numbers: ticks up to 2π, where the waves of the lattice begin again.
 pub fn wave_number_axis() -> Axis {
     Axis::linear("wave number κΔ (radians per spacing)").ticks([
         (0.0, "0"),
@@ -239,6 +249,10 @@ pub fn wave_number_axis() -> Axis {
         (0.5 * PI, "π/2"),
         (0.75 * PI, "3π/4"),
         (PI, "π"),
+        (1.25 * PI, "5π/4"),
+        (1.5 * PI, "3π/2"),
+        (1.75 * PI, "7π/4"),
+        (2.0 * PI, "2π"),
     ])
 }
 
@@ -275,6 +289,24 @@ mod tests {
         assert!(map.has_over_damped());
         let svg = map.figure("waves").unwrap().svg().unwrap();
         assert!(svg.contains("over-damped") && !svg.contains("lattice unstable"));
+    }
+
+    #[test]
+    fn ends_of_the_axis_of_wave_numbers_are_ticks() {
+        let axis = |kappas: &[f64]| {
+            let kappas = kappas.to_vec();
+            let values = Array2::zeros((kappas.len(), 2));
+            let second = vec![1.0, 2.0];
+            let damping_ratio = values.clone();
+            WaveMap { shown: Shown::Amplitude, kappas, second, values, damping_ratio }
+                .wave_numbers()
+        };
+        let even = |from: i32, to: i32| -> Vec<f64> {
+            (from..=to).map(|index| f64::from(index) * 0.02).collect()
+        };
+        assert_eq!(axis(&even(1, 157)), wave_number_axis().range(0.0, PI));
+        assert_eq!(axis(&even(1, 314)), wave_number_axis().range(0.0, 2.0 * PI));
+        assert_eq!(axis(&even(50, 100)), wave_number_axis().range(1.0, 2.0));
     }
 
     #[test]

@@ -55,7 +55,7 @@ fn every_kernel_method_and_integrator_agrees_mode_by_mode() {
 fn the_published_relation_fails_for_every_kernel() {
     for kernel in Kernel::ALL {
         let published = WaveMethod::Gph { form: Form::Published };
-        let case = case(published, kernel, ratio(6, 5), Integrator::RungeKutta4);
+        let case = case(published, kernel, ratio(6, 5), Integrator::Rk4);
         assert!(worst(&case) > 0.1, "{}", case.title());
     }
 }
@@ -64,7 +64,7 @@ fn the_published_relation_fails_for_every_kernel() {
 #[test]
 fn a_per_cent_of_viscosity_is_seen() {
     let with = |alpha: Rational| {
-        case(WaveMethod::SphAv { alpha }, Kernel::CubicSpline, ratio(6, 5), Integrator::RungeKutta4)
+        case(WaveMethod::SphAv { alpha }, Kernel::CubicSpline, ratio(6, 5), Integrator::Rk4)
     };
     let (right, wrong) = (with(ratio(3, 4)), with(ratio(303, 400)));
     let measured = validate_particles(&right).unwrap();
@@ -103,10 +103,10 @@ fn followed_waves_show_frequency_and_damping() {
 
 #[test]
 fn what_cannot_be_compared_is_refused() {
-    let gaussian = case(WaveMethod::Sph, Kernel::Gaussian, integer(1), Integrator::Heun);
+    let gaussian = case(WaveMethod::Sph, Kernel::Gaussian, integer(1), Integrator::Rk2Heun);
     let refused = validate_particles(&gaussian);
     assert!(matches!(refused, Err(ParticleValidationError::OnTheCut { .. })), "{refused:?}");
-    let wide = case(WaveMethod::Sph, Kernel::QuinticSpline, integer(5), Integrator::Heun);
+    let wide = case(WaveMethod::Sph, Kernel::QuinticSpline, integer(5), Integrator::Rk2Heun);
     let refused = validate_particles(&wide);
     assert!(
         matches!(refused, Err(ParticleValidationError::ShortRing { least: 32, .. })),

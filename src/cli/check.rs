@@ -3,7 +3,7 @@
 mod waves;
 
 use super::limits::binding_wave;
-use super::output::{Format, print, print_json, table_text};
+use super::output::{Format, print_record};
 use super::subject::{Subject, SubjectOptions};
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
@@ -73,10 +73,7 @@ fn conclude(
         let name = format!("growth within {}", significant(to_f64(growth), 3));
         table.push([name, if within { "yes" } else { "no" }.into()]);
     }
-    match table_text(&table, arguments.format) {
-        Some(text) => print(&text)?,
-        None => print_json("check", record)?,
-    };
+    print_record("check", record, &table, arguments.format)?;
     let accepted = within_budget.unwrap_or_else(|| verdict.is_stable());
     Ok(if accepted { Outcome::Yes } else { Outcome::No })
 }

@@ -69,9 +69,10 @@ pub struct Arguments {
 pub fn kappa_list(text: &str) -> Result<Numbers, String> {
     let numbers = numbers::list(text)?;
     match numbers.0.iter().find(|k| k.is_negative() || to_f64(k) > 2.0 * std::f64::consts::PI) {
-        Some(kappa) => {
-            Err(format!("{} is out of range: from 0 to 2π radians per spacing", to_text(kappa)))
-        }
+        Some(kappa) => Err(format!(
+            "{} is out of range: from 0 to 2π radians per spacing",
+            numbers::brief(kappa)
+        )),
         None => Ok(numbers),
     }
 }

@@ -25,11 +25,12 @@ impl std::fmt::Display for Failure {
     }
 }
 
+/// Only standard output is written without an error type of its own.
 impl From<std::io::Error> for Failure {
     fn from(error: std::io::Error) -> Self {
         match error.kind() {
             std::io::ErrorKind::BrokenPipe => Self::ClosedPipe,
-            _ => Self::Message(error.to_string()),
+            _ => Self::Message(format!("standard output: {error}")),
         }
     }
 }
@@ -70,8 +71,15 @@ impl From<FigureError> for Failure {
     }
 }
 
-/// A parse error of the argument library as one line.
-pub fn one_line(error: &clap::Error) -> String {
+/// What an option of `command` takes: the first line of its help.
+fn accepted(command: &clap::Command, shown: &str) -> Option<String> {
+    let argument = command.get_arguments().find(|argument| argument.to_string() == shown)?;
+    let help = argument.get_help()?.to_string();
+    Some(help.lines().next()?.trim_end_matches('.').to_owned())
+}
+
+/// A parse error of the argument library as one line; `command` is the one that was called.
+pub fn one_line(error: &clap::Error, command: clap::Command) -> String {
     let get = |kind| match error.get(kind) {
         Some(ContextValue::String(text)) => Some(text.clone()),
         Some(ContextValue::Strings(texts)) => Some(texts.join(", ")),
@@ -89,10 +97,18 @@ pub fn one_line(error: &clap::Error) -> String {
                 .filter(|list| !list.is_empty())
                 .map_or_else(String::new, |list| format!("; accepted: {list}"));
             if value.is_empty() {
+                let accepted = match accepted.is_empty() {
+                    true => self::accepted(&command, &argument)
+                        .map_or_else(String::new, |list| format!("; accepted: {list}")),
+                    false => accepted,
+                };
                 format!("error: {argument} needs a value{accepted}")
             } else {
                 format!("error: {argument}: `{value}` is not accepted{hint}{accepted}")
             }
+        }
+        ErrorKind::UnknownArgument if !argument.starts_with('-') => {
+            format!("error: `{argument}` is one argument too many; see --help")
         }
         ErrorKind::UnknownArgument => {
             format!("error: there is no option `{argument}` here{hint}; see --help")
@@ -102,7 +118,18 @@ pub fn one_line(error: &clap::Error) -> String {
             format!("error: there is no command `{name}`{hint}; see courant --help")
         }
         ErrorKind::MissingRequiredArgument => {
-            format!("error: {argument} is required; see --help")
+            // `<--scheme <SCHEME>|--method <METHOD>>`: one of these.
+            let needed: Vec<String> = argument
+                .split(", ")
+                .map(|one| match one.strip_prefix('<').and_then(|one| one.strip_suffix('>')) {
+                    Some(choice) if choice.contains('|') => {
+                        format!("one of {}", choice.replace('|', " and "))
+                    }
+                    _ => one.into(),
+                })
+                .collect();
+            let verb = if needed.len() > 1 { "are" } else { "is" };
+            format!("error: {} {verb} required; see --help", needed.join(", "))
         }
         _ => {
             // `error: invalid value 'x' for '--ratio <LIST>': what is accepted`

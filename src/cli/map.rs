@@ -21,9 +21,10 @@ use std::path::PathBuf;
 const MAX_POINTS: usize = 4_000_000;
 
 #[derive(Debug, Args)]
+#[command(group(clap::ArgGroup::new("subject").args(["scheme", "method"]).required(true)))]
 pub struct Arguments {
     /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph.
-    #[arg(long, value_parser = names::scheme, required_unless_present = "method", conflicts_with = "method")]
+    #[arg(long, value_parser = names::scheme)]
     scheme: Option<AdvectionScheme>,
     /// Or a particle method: its sound waves over --kappa and --h or --alpha, or its stable steps over
     /// --h and --alpha with --integrator.

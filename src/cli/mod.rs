@@ -5,6 +5,7 @@ mod dispersion;
 mod error;
 mod limits;
 mod list;
+mod manual;
 mod map;
 mod names;
 mod numbers;
@@ -19,7 +20,7 @@ mod verify;
 mod waves;
 
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use error::Failure;
 use std::process::ExitCode;
 
@@ -62,8 +63,26 @@ enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
-    /// The manual page on standard output.
-    Man,
+    /// Manual pages: one on standard output, or all of them as files.
+    Man(manual::Arguments),
+}
+
+/// The definition of all arguments. Every option reads a negative number as its value, so that it is refused
+/// by the option's name and not as an unknown option.
+fn definition() -> clap::Command {
+    let negative = |argument: clap::Arg| {
+        let takes_value = argument.is_positional() || argument.get_action().takes_values();
+        argument.allow_negative_numbers(takes_value)
+    };
+    Arguments::command().mut_args(negative).mut_subcommands(|command| command.mut_args(negative))
+}
+
+/// The definition of the command that the program was called with, or of the program.
+fn addressed() -> clap::Command {
+    let mut program = definition();
+    program.build();
+    let command = std::env::args().skip(1).find_map(|word| program.find_subcommand(word).cloned());
+    command.unwrap_or(program)
 }
 
 /// How the program ended when nothing went wrong.
@@ -77,14 +96,16 @@ enum Outcome {
 /// Parses the arguments, runs the command and turns the outcome into an exit code: 0 done or yes, 1 no,
 /// 2 bad input.
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let parsed =
+        definition().try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             eprint!("{error}");
             return ExitCode::from(2);
         }
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", error::one_line(&error));
+            eprintln!("{}", error::one_line(&error, addressed()));
             return ExitCode::from(2);
         }
         Err(help) => {
@@ -124,15 +145,10 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();
-            clap_complete::generate(shell, &mut Arguments::command(), "courant", &mut script);
+            clap_complete::generate(shell, &mut definition(), "courant", &mut script);
             output::print_bytes(&script)
         }
-        Command::Man => {
-            let mut page = Vec::new();
-            let manual = clap_mangen::Man::new(Arguments::command());
-            manual.render(&mut page).map_err(Failure::from)?;
-            output::print_bytes(&page)
-        }
+        Command::Man(arguments) => manual::run(&arguments, definition()),
     }
 }
 
@@ -142,6 +158,6 @@ mod tests {
 
     #[test]
     fn the_argument_definitions_are_consistent() {
-        Arguments::command().debug_assert();
+        definition().debug_assert();
     }
 }

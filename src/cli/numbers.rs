@@ -3,6 +3,7 @@
 use courant::analysis::lattice::MAX_RATIO;
 use courant::analysis::rational::{Rational, integer, parse, to_text};
 use num_traits::{Signed, ToPrimitive};
+use std::collections::HashSet;
 
 /// The largest Courant number that is judged.
 const MAX_COURANT: i64 = 1_000_000;
@@ -18,20 +19,27 @@ pub struct Numbers(pub Vec<Rational>);
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Names<T>(pub Vec<T>);
 
-/// Splits at commas and reads every name.
-pub fn names<T>(text: &str, read: impl Fn(&str) -> Result<T, String>) -> Result<Names<T>, String> {
+/// Splits at commas and reads every name; what is named twice counts once.
+pub fn names<T: PartialEq>(
+    text: &str,
+    read: impl Fn(&str) -> Result<T, String>,
+) -> Result<Names<T>, String> {
     if text.trim().is_empty() {
         return Err("the list is empty; give at least one name".into());
     }
-    let read = text.split(',').map(|name| {
-        read(name.trim()).map_err(|problem| {
-            if text.contains(',') { format!("`{}`: {problem}", name.trim()) } else { problem }
-        })
-    });
-    read.collect::<Result<_, _>>().map(Names)
+    let mut items = Vec::new();
+    for name in text.split(',').map(str::trim) {
+        let item = read(name).map_err(|problem| {
+            if text.contains(',') { format!("`{name}`: {problem}") } else { problem }
+        })?;
+        if !items.contains(&item) {
+            items.push(item);
+        }
+    }
+    Ok(Names(items))
 }
 
-/// A list or range of numbers.
+/// A list or range of numbers; what is named twice counts once.
 pub fn list(text: &str) -> Result<Numbers, String> {
     if text.trim().is_empty() {
         return Err(
@@ -54,7 +62,18 @@ pub fn list(text: &str) -> Result<Numbers, String> {
             return Err(format!("more than {MAX_VALUES} values"));
         }
     }
+    let mut seen = HashSet::new();
+    values.retain(|value| seen.insert(value.clone()));
     Ok(Numbers(values))
+}
+
+/// A number for a message: what takes a line of its own is cut.
+pub fn brief(value: &Rational) -> String {
+    let text = to_text(value);
+    match text.char_indices().nth(24) {
+        Some((end, _)) => format!("{}… ({} characters)", &text[..end], text.len()),
+        None => text,
+    }
 }
 
 fn range(
@@ -64,10 +83,10 @@ fn range(
     values: &mut Vec<Rational>,
 ) -> Result<(), String> {
     if !step.is_positive() {
-        return Err(format!("the step of a range must be above 0, not {}", to_text(&step)));
+        return Err(format!("the step of a range must be above 0, not {}", brief(&step)));
     }
     if from > to {
-        return Err(format!("the range from {} to {} is empty", to_text(&from), to_text(&to)));
+        return Err(format!("the range from {} to {} is empty", brief(&from), brief(&to)));
     }
     let last = ((&to - &from) / &step).floor().to_integer();
     match last.to_i64().filter(|last| *last < MAX_VALUES) {
@@ -117,21 +136,20 @@ pub fn non_negative_list(text: &str) -> Result<Numbers, String> {
 
 /// One smoothing ratio.
 pub fn ratio(text: &str) -> Result<Rational, String> {
-    let value = number(text)?;
+    number(text).and_then(ratio_in_range)
+}
+
+fn ratio_in_range(value: Rational) -> Result<Rational, String> {
     if value.is_positive() && value <= integer(MAX_RATIO) {
         Ok(value)
     } else {
-        Err(format!("{} is out of range: above 0 and at most {MAX_RATIO}", to_text(&value)))
+        Err(format!("{} is out of range: above 0 and at most {MAX_RATIO}", brief(&value)))
     }
 }
 
 /// Smoothing ratios.
 pub fn ratio_list(text: &str) -> Result<Numbers, String> {
-    let numbers = list(text)?;
-    for value in &numbers.0 {
-        ratio(&to_text(value))?;
-    }
-    Ok(numbers)
+    list(text)?.0.into_iter().map(ratio_in_range).collect::<Result<_, _>>().map(Numbers)
 }
 
 /// An axis of a map: at least two ascending values.
@@ -142,8 +160,8 @@ pub fn axis(values: &Numbers) -> Result<(), String> {
     match values.0.windows(2).find(|pair| pair[0] >= pair[1]) {
         Some(pair) => Err(format!(
             "values must ascend, but {} is followed by {}",
-            to_text(&pair[0]),
-            to_text(&pair[1])
+            brief(&pair[0]),
+            brief(&pair[1])
         )),
         None => Ok(()),
     }
@@ -169,6 +187,11 @@ pub fn digits(text: &str) -> Result<usize, String> {
     count(text, 1, 300)
 }
 
+/// A seed of random numbers.
+pub fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a whole number from 0 to {} is accepted", u64::MAX))
+}
+
 /// A whole number within bounds.
 pub fn count(text: &str, least: usize, most: usize) -> Result<usize, String> {
     text.parse()
@@ -189,6 +212,9 @@ mod tests {
         assert_eq!((range.len(), range.last()), (31, Some(&fraction(31, 10))));
         assert_eq!(list("1:2:0.3").unwrap().0.len(), 4);
         assert_eq!(list("1,2:4:1").unwrap().0.len(), 4);
+        assert_eq!(list("2,1,4/2,1:2:1").unwrap().0, [integer(2), integer(1)]);
+        let read = |name: &str| Ok(name.len());
+        assert_eq!(names("a,bb,c", read).unwrap().0, [1, 2]);
     }
 
     #[test]
@@ -208,6 +234,8 @@ mod tests {
         }
         assert!(ratio_list("0").unwrap_err().contains("out of range"));
         assert!(ratio_list("1,51").unwrap_err().contains("51"));
+        let huge = ratio_list("1e400").unwrap_err();
+        assert!(huge.len() < 100 && huge.contains("1000"), "{huge}");
         assert!(axis(&list("2,1").unwrap()).is_err());
     }
 }

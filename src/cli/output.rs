@@ -3,8 +3,9 @@
 use super::Outcome;
 use super::error::Failure;
 use clap::ValueEnum;
-use courant::reports::table::Table;
+use courant::reports::table::{Align, Table};
 use serde::Serialize;
+use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::io::Write;
 
 /// The format of standard output.
@@ -51,6 +52,108 @@ pub fn print_json<T: Serialize>(command: &str, body: &T) -> Result<Outcome, Fail
     print(&format!("{text}\n"))
 }
 
+/// Prints one answer: for people its table, for scripts its record.
+pub fn print_record<T: Serialize>(
+    command: &str,
+    record: &T,
+    table: &Table,
+    format: Format,
+) -> Result<Outcome, Failure> {
+    match table_text(table, format) {
+        Some(_) if format == Format::Csv => print(&record_csv(record)?),
+        Some(text) => print(&text),
+        None => print_json(command, record),
+    }
+}
+
+/// A record as comma-separated values: the names of its JSON keys, nested ones as `stability.value`, above one
+/// row with all digits. What is `null` is an empty cell; the note beside it is a column as well.
+fn record_csv<T: Serialize>(record: &T) -> Result<String, Failure> {
+    let problem = |error: serde_json::Error| Failure::Message(error.to_string());
+    let text = serde_json::to_string(record).map_err(problem)?;
+    let Leaves(leaves) = serde_json::from_str(&text).map_err(problem)?;
+    let columns: Vec<(&str, Align)> =
+        leaves.iter().map(|(name, _)| (name.as_str(), Align::Left)).collect();
+    let mut table = Table::new("", &columns);
+    table.push(leaves.iter().map(|(_, value)| value.as_str()));
+    Ok(table.to_csv())
+}
+
+/// The values of a JSON text with the path to each, in the order of the text.
+#[derive(Debug, PartialEq)]
+struct Leaves(Vec<(String, String)>);
+
+impl Leaves {
+    fn one(value: impl ToString) -> Self {
+        Self(vec![(String::new(), value.to_string())])
+    }
+
+    fn append(&mut self, key: &str, inner: Self) {
+        self.0.extend(inner.0.into_iter().map(|(path, value)| {
+            (if path.is_empty() { key.into() } else { format!("{key}.{path}") }, value)
+        }));
+    }
+}
+
+impl<'de> Deserialize<'de> for Leaves {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(LeavesVisitor)
+    }
+}
+
+struct LeavesVisitor;
+
+impl<'de> Visitor<'de> for LeavesVisitor {
+    type Value = Leaves;
+
+    fn expecting(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("JSON")
+    }
+
+    fn visit_unit<E>(self) -> Result<Leaves, E> {
+        Ok(Leaves::one(""))
+    }
+
+    fn visit_bool<E>(self, value: bool) -> Result<Leaves, E> {
+        Ok(Leaves::one(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Leaves, E> {
+        Ok(Leaves::one(value))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Leaves, E> {
+        Ok(Leaves::one(value))
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Leaves, E> {
+        // As JSON writes it: the shortest decimal that is this number.
+        Ok(Leaves::one(serde_json::json!(value)))
+    }
+
+    fn visit_str<E>(self, value: &str) -> Result<Leaves, E> {
+        Ok(Leaves::one(value))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Leaves, A::Error> {
+        let mut leaves = Leaves(Vec::new());
+        while let Some((key, inner)) = map.next_entry::<String, Leaves>()? {
+            leaves.append(&key, inner);
+        }
+        Ok(leaves)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Leaves, A::Error> {
+        let mut leaves = Leaves(Vec::new());
+        let mut index = 0;
+        while let Some(inner) = items.next_element::<Leaves>()? {
+            leaves.append(&index.to_string(), inner);
+            index += 1;
+        }
+        Ok(leaves)
+    }
+}
+
 /// Prints a table in one of the formats that are tables; `None` for JSON.
 pub fn table_text(table: &Table, format: Format) -> Option<String> {
     match format {
@@ -59,5 +162,27 @@ pub fn table_text(table: &Table, format: Format) -> Option<String> {
         Format::Markdown => Some(table.to_markdown()),
         Format::Latex => Some(table.to_latex()),
         Format::Json => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_as_csv_has_the_keys_in_order_and_every_digit() {
+        let text = r#"{"z":1e-30,"a":{"value":null,"note":"none, \"so far\""},"list":[true,-2]}"#;
+        let leaves: Leaves = serde_json::from_str(text).unwrap();
+        let names: Vec<&str> = leaves.0.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["z", "a.value", "a.note", "list.0", "list.1"]);
+        #[derive(Serialize)]
+        struct Record {
+            z: f64,
+            a: Option<f64>,
+            note: &'static str,
+        }
+        let record = Record { z: 1.0 / 3.0, a: None, note: "none, so far" };
+        let csv = record_csv(&record).unwrap();
+        assert_eq!(csv, "z,a,note\n0.3333333333333333,,\"none, so far\"\n");
     }
 }

@@ -12,9 +12,11 @@ use serde::Serialize;
 
 /// The options that name it: `--scheme`, or `--method` and `--integrator`.
 #[derive(Debug, Args)]
+#[group(skip)]
+#[command(group(clap::ArgGroup::new("subject").args(["scheme", "method"]).required(true)))]
 pub struct SubjectOptions {
     /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph; limits are on the Courant number.
-    #[arg(long, value_parser = names::scheme, required_unless_present = "method", conflicts_with = "method")]
+    #[arg(long, value_parser = names::scheme)]
     scheme: Option<AdvectionScheme>,
     /// Or a particle method; limits are on c Δt/h. Needs --integrator.
     #[arg(long, value_enum, requires = "integrator")]

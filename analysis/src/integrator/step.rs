@@ -20,6 +20,10 @@ impl Integrator {
                 let kicked = y.clone() + force(x, y);
                 [x.clone() + kicked.clone(), kicked]
             }
+            Self::CentredEuler => {
+                let kicked = y.clone() + force(x, y);
+                [x.clone() + half * (y.clone() + kicked.clone()), kicked]
+            }
             Self::LeapfrogKdk | Self::LeapfrogKdkPredicted => {
                 let first = force(x, y);
                 let middle = y.clone() + half.clone() * first.clone();

@@ -66,8 +66,12 @@ proptest! {
             prop_assert_eq!(b.coefficient(0), integer(1));
             prop_assert_eq!(c.coefficient(2), f.clone());
             prop_assert_eq!([d.coefficient(0), d.coefficient(1)], [integer(1), g.clone()]);
-            let first_order =
-                [Integrator::ForwardEuler, Integrator::SymplecticEuler, Integrator::LeapfrogKdk];
+            let first_order = [
+                Integrator::ForwardEuler,
+                Integrator::SymplecticEuler,
+                Integrator::CentredEuler,
+                Integrator::LeapfrogKdk,
+            ];
             if !first_order.contains(&integrator) {
                 // X: f/2 at h², coupling g/2 at h·h; V: (f + g²)/2 at h², fg/2 at h³.
                 prop_assert_eq!(a.coefficient(2), &f * &half);
@@ -131,7 +135,7 @@ fn which_integrators_conserve_the_phase_area() {
 
 #[test]
 fn undamped_losses_are_the_textbook_powers() {
-    // 1 − |z|² in powers of f = −(ωΔt)²: Euler f; RK2 −f²/4; RK3 −f²/12·…; RK4 −f³/72·….
+    // 1 − |z|² in powers of f = −(ωΔt)²: Euler f, centred f/2; RK2 −f²/4; RK3 −f²/12·…; RK4 −f³/72·….
     let loss = |integrator: Integrator| {
         let terms = integrator.polynomials().loss().terms();
         let terms: Vec<_> =
@@ -139,6 +143,7 @@ fn undamped_losses_are_the_textbook_powers() {
         terms
     };
     assert_eq!(loss(Integrator::ForwardEuler), [(1, ratio(1, 1))]);
+    assert_eq!(loss(Integrator::CentredEuler), [(1, ratio(1, 2))]);
     assert_eq!(loss(Integrator::Rk2Heun), [(2, ratio(-1, 4))]);
     assert_eq!(loss(Integrator::Rk3Ssp), [(2, ratio(1, 12)), (3, ratio(1, 36))]);
     assert_eq!(loss(Integrator::Rk4), [(3, ratio(-1, 72)), (4, ratio(-1, 576))]);

@@ -17,6 +17,9 @@ pub struct ColorBar {
     label: String,
 }
 
+/// From line to line of a label.
+const LINE: f64 = 1.25 * LABEL_SIZE;
+
 /// Where the colour bar of a figure stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
@@ -47,10 +50,34 @@ impl ColorBar {
         edges.map(|e| format!("{e:.decimals$}").replace('-', "−")).collect()
     }
 
+    /// The same bar with its label broken at spaces into lines no longer than `length`, where it is upright.
+    pub(super) fn wrapped(&self, length: f64) -> ColorBar {
+        let broken = |length: f64| {
+            let mut lines: Vec<String> = Vec::new();
+            for word in self.label.split(' ') {
+                match lines.last_mut() {
+                    Some(line) if font::width(&format!("{line} {word}"), LABEL_SIZE) <= length => {
+                        line.push(' ');
+                        line.push_str(word);
+                    }
+                    _ => lines.push(word.into()),
+                }
+            }
+            lines
+        };
+        // As few lines as fit, and these about equally long.
+        let fewest = broken(length);
+        let even = font::width(&self.label, LABEL_SIZE) / fewest.len() as f64;
+        let lengths = (0..20).map(|k| even + (length - even) * f64::from(k) / 20.0);
+        let lines = lengths.map(broken).find(|lines| lines.len() <= fewest.len());
+        ColorBar { bands: self.bands.clone(), label: lines.unwrap_or(fewest).join("\n") }
+    }
+
     /// Breadth of an upright bar with its labels.
     pub(super) fn breadth_right(&self) -> f64 {
         let widest = self.labels().iter().map(|l| font::width(l, TICK_SIZE)).fold(0.0, f64::max);
-        let label = if self.label.is_empty() { 0.0 } else { LABEL_GAP + LABEL_SIZE };
+        let lines = self.label.lines().count() as f64;
+        let label = if lines > 0.0 { LABEL_GAP + LABEL_SIZE + (lines - 1.0) * LINE } else { 0.0 };
         BAR_BREADTH + MINOR_TICK_LENGTH + TICK_GAP + widest + label + font::DESCENT * LABEL_SIZE
     }
 
@@ -76,11 +103,14 @@ impl ColorBar {
             scene.text(Text::new(labels[k].clone(), at, TICK_SIZE));
         }
         let x = left + self.breadth_right() - font::DESCENT * LABEL_SIZE;
-        scene.text(Text {
-            angle: 90.0,
-            anchor: Anchor::Middle,
-            ..Text::new(self.label.clone(), [x, 0.5 * (top + bottom)], LABEL_SIZE)
-        });
+        for (above, line) in self.label.lines().rev().enumerate() {
+            let at = [x - above as f64 * LINE, 0.5 * (top + bottom)];
+            scene.text(Text {
+                angle: 90.0,
+                anchor: Anchor::Middle,
+                ..Text::new(line, at, LABEL_SIZE)
+            });
+        }
     }
 
     /// Draws the bar level between two abscissae, its upper side at `top`.
@@ -205,6 +235,21 @@ mod tests {
         let edges = vec![0.0, 0.5, 0.75, 1.0, 2.0];
         let bar = ColorBar::new(Bands::sequential(edges, ColorMap::Viridis).unwrap(), "");
         assert_eq!(bar.labels(), ["0.00", "0.50", "0.75", "1.00", "2.00"]);
+    }
+
+    #[test]
+    fn long_labels_of_upright_bars_are_broken() {
+        let bar = |label| {
+            ColorBar::new(Bands::sequential(vec![0.0, 1.0], ColorMap::Viridis).unwrap(), label)
+        };
+        let long =
+            bar("of the most damped wave where stable, of the fastest growing one where not");
+        let wrapped = long.wrapped(200.0);
+        assert_eq!(wrapped.label.lines().count(), 2);
+        assert!(wrapped.label.lines().all(|line| font::width(line, LABEL_SIZE) <= 200.0));
+        assert_eq!(wrapped.label.replace('\n', " "), long.label);
+        assert!((wrapped.breadth_right() - long.breadth_right() - LINE).abs() < 1e-12);
+        assert_eq!(bar("").wrapped(10.0), bar(""));
     }
 
     #[test]

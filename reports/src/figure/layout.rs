@@ -134,7 +134,12 @@ impl Figure {
             legend::draw_in_rows(&mut scene, &rect, &entries);
             area.bottom -= height + LABEL_GAP;
         }
-        match &self.color_bar {
+        // An upright label is centred on the plots, which are shorter than the area by titles and axes.
+        let color_bar = self.color_bar.as_ref().map(|(bar, side)| match side {
+            Side::Right => (bar.wrapped(0.85 * area.height()), *side),
+            Side::Below => (bar.clone(), *side),
+        });
+        match &color_bar {
             Some((bar, Side::Right)) => area.right -= bar.breadth_right() + BAR_GAP,
             Some((bar, Side::Below)) => area.bottom -= bar.breadth_below() + BAR_GAP,
             None => {}
@@ -144,7 +149,7 @@ impl Figure {
             let (row, column) = (k / columns, k % columns);
             panel.draw(&mut scene, grid.plot(row, column), grid.columns[column].1.left);
         }
-        if let Some((bar, side)) = &self.color_bar {
+        if let Some((bar, side)) = &color_bar {
             let (first, last) = (grid.plot(0, 0), grid.plot(rows - 1, columns - 1));
             let plots = Rect { right: last.right, bottom: last.bottom, ..first };
             let at = match side {

@@ -8,85 +8,24 @@ use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
 use crate::run::Reason;
 
-/// How positions, velocities and energies advance by a step `dt`; `a(x, v)` is the acceleration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Integrator {
-    /// `v' = v + dt a`, `x' = x + dt v`.
-    ForwardEuler,
-    /// `v' = v + dt a`, `x' = x + dt v'`.
-    SymplecticEuler,
-    /// `v' = v + dt a`, `x' = x + dt (v + v')/2`: first order, the GPH of Cha & Whitworth 2003 with
-    /// the time-centred velocity of (14) and (16).
-    CentredEuler,
-    /// Leapfrog: `v½ = v + dt/2 a(x, v)`, `x' = x + dt v½`, `v' = v½ + dt/2 a(x', v½)`.
-    KickDriftKick,
-    /// Leapfrog with the velocity in the force predicted: `v' = v½ + dt/2 a(x', v + dt a(x, v))`.
-    KickDriftKickPredicted,
-    /// Second-order Runge–Kutta, midpoint rule.
-    Midpoint,
-    /// Second-order Runge–Kutta, trapezoidal rule: predict by forward Euler, correct with the
-    /// mean of the rates. The predictor–corrector used for SPH.
-    Heun,
-    /// Runge–Kutta of order 3 by averages of forward Euler steps (Shu & Osher 1988).
-    RungeKutta3,
-    /// The classical Runge–Kutta method of order 4.
-    RungeKutta4,
-    /// Predict half a step by forward Euler, correct both with the force found there, and go twice
-    /// as far (Monaghan 1989): `v' = v + dt a½`, `x' = x + dt (v + v')/2`.
-    PredictorCorrector,
-}
+/// The integrators of the linear analysis: `v' = v + dt Σ b_k a_k` with the rates of each stage; positions and
+/// energies follow in [`Stepper::advance`].
+pub use courant_analysis::integrator::Integrator;
 
-impl Integrator {
-    /// All of them.
-    pub const ALL: [Self; 10] = [
-        Self::ForwardEuler,
-        Self::SymplecticEuler,
-        Self::CentredEuler,
-        Self::KickDriftKick,
-        Self::KickDriftKickPredicted,
-        Self::Midpoint,
-        Self::Heun,
-        Self::RungeKutta3,
-        Self::RungeKutta4,
-        Self::PredictorCorrector,
-    ];
-
-    /// The name used on the command line and in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ForwardEuler => "forward-euler",
-            Self::SymplecticEuler => "symplectic-euler",
-            Self::CentredEuler => "centred-euler",
-            Self::KickDriftKick => "kdk",
-            Self::KickDriftKickPredicted => "kdk-predicted",
-            Self::Midpoint => "rk2-midpoint",
-            Self::Heun => "rk2-heun",
-            Self::RungeKutta3 => "rk3-ssp",
-            Self::RungeKutta4 => "rk4",
-            Self::PredictorCorrector => "predictor-corrector",
+/// `(c, b)` of each stage: it starts `c·dt` along the rates of the stage before, and its own
+/// rates enter the step with weight `b`.
+fn stages(integrator: Integrator) -> &'static [(f64, f64)] {
+    const SIXTH: f64 = 1.0 / 6.0;
+    match integrator {
+        Integrator::ForwardEuler | Integrator::SymplecticEuler | Integrator::CentredEuler => {
+            &[(0.0, 1.0)]
         }
-    }
-
-    /// `(c, b)` of each stage: it starts `c·dt` along the rates of the stage before, and its own
-    /// rates enter the step with weight `b`.
-    fn stages(self) -> &'static [(f64, f64)] {
-        const SIXTH: f64 = 1.0 / 6.0;
-        match self {
-            Self::ForwardEuler | Self::SymplecticEuler | Self::CentredEuler => &[(0.0, 1.0)],
-            Self::Midpoint | Self::PredictorCorrector => &[(0.0, 0.0), (0.5, 1.0)],
-            Self::RungeKutta3 => &[(0.0, SIXTH), (1.0, SIXTH), (0.5, 4.0 * SIXTH)],
-            Self::Heun | Self::KickDriftKick | Self::KickDriftKickPredicted => {
-                &[(0.0, 0.5), (1.0, 0.5)]
-            }
-            Self::RungeKutta4 => {
-                &[(0.0, SIXTH), (0.5, 2.0 * SIXTH), (0.5, 2.0 * SIXTH), (1.0, SIXTH)]
-            }
+        Integrator::Rk2Midpoint | Integrator::PredictorCorrector => &[(0.0, 0.0), (0.5, 1.0)],
+        Integrator::Rk3Ssp => &[(0.0, SIXTH), (1.0, SIXTH), (0.5, 4.0 * SIXTH)],
+        Integrator::Rk2Heun | Integrator::LeapfrogKdk | Integrator::LeapfrogKdkPredicted => {
+            &[(0.0, 0.5), (1.0, 0.5)]
         }
-    }
-
-    /// Evaluations of the forces in a step.
-    pub fn evaluations(self) -> usize {
-        self.stages().len()
+        Integrator::Rk4 => &[(0.0, SIXTH), (0.5, 2.0 * SIXTH), (0.5, 2.0 * SIXTH), (1.0, SIXTH)],
     }
 }
 
@@ -176,9 +115,9 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         self.sum_energy.resize(count, T::default());
         self.sum_heat.clear();
         self.sum_heat.resize(count, T::default());
-        for (stage, &(offset, weight)) in self.integrator.stages().iter().enumerate() {
+        for (stage, &(offset, weight)) in stages(self.integrator).iter().enumerate() {
             if stage > 0 {
-                if self.integrator == Integrator::RungeKutta3 && stage == 2 {
+                if self.integrator == Integrator::Rk3Ssp && stage == 2 {
                     self.predict_mean(system, offset * dt);
                 } else {
                     self.predict(system, offset * dt);
@@ -202,8 +141,8 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
             let half = plus_scaled(v0, 0.5 * dt, a);
             let full = plus_scaled(v0, dt, a);
             (state.position[i], state.velocity[i]) = match self.integrator {
-                Integrator::KickDriftKick => (plus_scaled(x0, dt, &half), half),
-                Integrator::KickDriftKickPredicted => (plus_scaled(x0, dt, &half), full),
+                Integrator::LeapfrogKdk => (plus_scaled(x0, dt, &half), half),
+                Integrator::LeapfrogKdkPredicted => (plus_scaled(x0, dt, &half), full),
                 _ => (plus_scaled(x0, dt, &v), full),
             };
         }
@@ -265,7 +204,7 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
                     plus_scaled(x, dt, &centred)
                 }
                 // Where the last stage already is.
-                Integrator::KickDriftKick | Integrator::KickDriftKickPredicted => state.position[i],
+                Integrator::LeapfrogKdk | Integrator::LeapfrogKdkPredicted => state.position[i],
                 _ => plus_scaled(x, dt, &self.sum_velocity[i]),
             };
             let heat = match work {
@@ -278,6 +217,20 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
             };
             state.velocity[i] = new;
             state.thermal[i] = self.thermal[i].plus_scaled(dt, heat);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_has_as_many_stages_as_the_list_says_and_their_weights_add_up() {
+        for integrator in Integrator::ALL {
+            assert_eq!(stages(integrator).len(), integrator.force_evaluations(), "{integrator}");
+            let sum: f64 = stages(integrator).iter().map(|(_, weight)| weight).sum();
+            assert!((sum - 1.0).abs() < 1e-15, "{integrator}");
         }
     }
 }

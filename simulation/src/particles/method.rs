@@ -74,6 +74,17 @@ pub enum SolverChoice {
     Exact,
 }
 
+impl SolverChoice {
+    /// The name used on the command line and in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Published => "published",
+            Self::Converged => "converged",
+            Self::Exact => "exact",
+        }
+    }
+}
+
 /// Who shares a time step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StepSharing {
@@ -125,7 +136,7 @@ impl MethodOptions {
             _ => (Kernel::CubicSpline, 1.0),
         };
         let integrator =
-            if method.is_godunov() { Integrator::CentredEuler } else { Integrator::Heun };
+            if method.is_godunov() { Integrator::CentredEuler } else { Integrator::Rk2Heun };
         Self {
             method,
             kernel,

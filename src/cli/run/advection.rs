@@ -1,7 +1,7 @@
 //! Scenes and methods of the advection family.
 
 use super::{Arguments, Entry, Family};
-use crate::cli::output::{print, print_json, table_text};
+use crate::cli::output::{Format, print, print_record};
 use crate::cli::progress::Bar;
 use crate::cli::{Failure, Outcome, names, numbers};
 use clap::{Args, ValueEnum};
@@ -30,12 +30,12 @@ pub struct Options {
     #[arg(long, value_enum)]
     layout: Option<LayoutName>,
     /// Advection, disordered layout: the largest displacement in spacings, below 1/2 (default: 1/10).
-    #[arg(long, value_parser = disorder)]
+    #[arg(long, allow_hyphen_values = true, value_parser = disorder)]
     disorder: Option<Rational>,
     /// Advection: seed of the displacements and of the random phases (default: 0).
-    #[arg(long)]
+    #[arg(long, value_parser = numbers::seed)]
     seed: Option<u64>,
-    /// Advection, scene advection-waves: the highest wave number (default: 8).
+    /// Advection, scene advection-waves: the highest wave number, at most half the particles (default: 8).
     #[arg(long, value_parser = wave_number)]
     waves: Option<usize>,
 }
@@ -140,17 +140,12 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for (end, bytes) in &files {
         written.push(output.write(&format!("{stem}.{end}"), bytes)?);
     }
-    match table_text(&table(&record, &result), arguments.format) {
-        Some(mut text) => {
-            if arguments.format == crate::cli::output::Format::Table {
-                let names: Vec<String> =
-                    written.iter().map(|path| path.display().to_string()).collect();
-                text.push_str(&format!("\n{}\n", names.join("\n")));
-            }
-            print(&text)
-        }
-        None => print_json("run", &record),
+    print_record("run", &record, &table(&record, &result), arguments.format)?;
+    if arguments.format == Format::Table {
+        let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
+        print(&format!("\n{}\n", names.join("\n")))?;
     }
+    Ok(Outcome::Yes)
 }
 
 /// The arguments as a plan, and the ratio as it was written.
@@ -165,6 +160,7 @@ fn plan(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
             .map_err(|problem| Failure::Message(format!("--method {name}: {problem}")))?,
         None => AdvectionScheme::GodunovSph,
     };
+    arguments.choices.only(&[], "an advection scheme")?;
     let not_used = |option: &str, value: String, reason: &str| {
         Err(Failure::Message(format!("{option} {value}: {reason}")))
     };
@@ -193,9 +189,16 @@ fn plan(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
             Layout::Disordered { disorder: options.disorder.as_ref().map_or(0.1, to_f64), seed }
         }
     };
+    let particles = arguments.particles.unwrap_or(200);
+    // Two particles per wave: a shorter one looks like a longer one on them.
+    let shortest = particles / 2;
+    if let Some(waves) = options.waves.filter(|waves| *waves > shortest) {
+        let reason = format!("{particles} particles carry waves up to number {shortest}");
+        return not_used("--waves", waves.to_string(), &reason);
+    }
     let scene = match arguments.scene.parse() {
         Ok(scene) => scene,
-        Err(_) => Scene::random_phases(options.waves.unwrap_or(WAVES), seed),
+        Err(_) => Scene::random_phases(options.waves.unwrap_or(WAVES.min(shortest)), seed),
     };
     // Euler-SPH is stable at no Courant number; with small steps a period can still be looked at.
     let default_courant = match scheme {
@@ -210,7 +213,6 @@ fn plan(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
         courant_number: arguments.cfl.as_ref().map_or(default_courant, to_f64),
     };
     let periods = options.periods.as_ref().or(arguments.time.as_ref()).map_or(1.0, to_f64);
-    let particles = arguments.particles.unwrap_or(200);
     Ok((RunPlan { scene, method, particles, periods, layout }, ratio))
 }
 

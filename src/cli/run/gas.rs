@@ -2,19 +2,21 @@
 
 use super::tube_file::{self, TubeFile};
 use super::{Arguments, Entry, Family};
-use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::output::{Format, print, print_record};
 use crate::cli::{Failure, Outcome, names};
 use courant::analysis::rational::{Rational, to_f64, to_text};
 use courant::reports::gas_run;
-use courant::reports::number::significant;
+use courant::reports::number::{exact_text, significant};
 use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::RunRecord;
 use courant::reports::table::{Align, Table};
 use courant::simulation::comparison::Comparison;
-use courant::simulation::lagrangian::Lattice;
+use courant::simulation::lagrangian::flux::Flux;
+use courant::simulation::lagrangian::{LagrangianOptions, Lattice};
 use courant::simulation::method::Method;
 use courant::simulation::run::Run;
 use courant::simulation::scene::{STANDARD_TUBES, Scene, ShockTube, SimpleWave, WaveData};
+use serde::Serialize;
 use std::time::Instant;
 
 pub const FAMILY: Family = Family { scenes, methods, run };
@@ -93,8 +95,12 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let run = method
         .run(scene.as_ref(), particles)
         .map_err(|error| Failure::Message(format!("--method {}: {error}", method.name())))?;
-    let record =
-        gas_run::record(scene.as_ref(), &method, particles, &run, start.elapsed().as_secs_f64());
+    let seconds = start.elapsed().as_secs_f64();
+    let record = GasRecord::new(
+        gas_run::record(scene.as_ref(), &method, particles, &run, seconds),
+        &method,
+        arguments.ratio.as_ref(),
+    );
     let title = format!(
         "{}: {}, t = {}",
         scene.name(),
@@ -111,16 +117,47 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     ] {
         files.push(output.write(&format!("{stem}.{ending}"), &bytes)?);
     }
-    match table_text(&table(scene.as_ref(), &method, &run, &record), arguments.format) {
-        Some(mut text) => {
-            if arguments.format == Format::Table {
-                for file in files {
-                    text.push_str(&format!("wrote {}\n", file.display()));
-                }
+    let table = table(scene.as_ref(), &method, &run, &record.run);
+    print_record("run", &record, &table, arguments.format)?;
+    if arguments.format == Format::Table {
+        let names: Vec<String> =
+            files.iter().map(|file| format!("wrote {}\n", file.display())).collect();
+        print(&names.concat())?;
+    }
+    Ok(Outcome::Yes)
+}
+
+/// The record with what the method was set to.
+#[derive(Debug, Serialize)]
+struct GasRecord {
+    #[serde(flatten)]
+    run: RunRecord,
+    /// Only for methods with a kernel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kernel: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ratio: Option<String>,
+    cfl: f64,
+    /// All settings, in words.
+    settings: String,
+}
+
+impl GasRecord {
+    fn new(run: RunRecord, method: &Method, ratio: Option<&Rational>) -> Self {
+        let (smoothing, cfl) = match method {
+            Method::FiniteVolume(options) => (None, options.cfl),
+            Method::AdaptiveSph(options) => {
+                (Some((options.kernel, options.pilot_ratio)), options.cfl)
             }
-            print(&text)
+            Method::Lagrangian(options) => (Some((options.kernel, options.ratio)), options.cfl),
+        };
+        Self {
+            run,
+            kernel: smoothing.map(|(kernel, _)| kernel.name()),
+            ratio: smoothing.map(|(_, used)| ratio.map_or_else(|| exact_text(used), to_text)),
+            cfl,
+            settings: gas_run::settings(method),
         }
-        None => print_json("run", &record),
     }
 }
 
@@ -166,6 +203,15 @@ fn method(arguments: &Arguments, file: Option<&TubeFile>) -> Result<Method, Fail
         Failure::Message(format!("--method {name}: {problem}"))
     })?;
     let cfl = arguments.cfl.as_ref().map(to_f64);
+    let choices = &arguments.choices;
+    let has: &[&str] = match &method {
+        Method::AdaptiveSph(_) => &["--alpha", "--beta"],
+        Method::Lagrangian(LagrangianOptions { flux: Flux::ModifiedRoe(_), .. }) => {
+            &["--roe-mean", "--contact", "--contact-form"]
+        }
+        Method::FiniteVolume(_) | Method::Lagrangian(_) => &[],
+    };
+    choices.only(has, name)?;
     match &mut method {
         Method::FiniteVolume(options) => {
             let accepted = "it takes --particles, --cfl and --time";
@@ -184,11 +230,16 @@ fn method(arguments: &Arguments, file: Option<&TubeFile>) -> Result<Method, Fail
             options.cfl = cfl.unwrap_or(options.cfl);
             options.kernel = arguments.kernel.unwrap_or(options.kernel);
             options.pilot_ratio = arguments.ratio.as_ref().map_or(options.pilot_ratio, to_f64);
+            options.alpha = choices.alpha(options.alpha);
+            options.beta = choices.beta(options.beta);
         }
         Method::Lagrangian(options) => {
             options.cfl = cfl.unwrap_or(options.cfl);
             options.kernel = arguments.kernel.unwrap_or(options.kernel);
             options.ratio = arguments.ratio.as_ref().map_or(options.ratio, to_f64);
+            if let Flux::ModifiedRoe(roe) = &mut options.flux {
+                *roe = choices.roe(*roe);
+            }
         }
     }
     Ok(method)

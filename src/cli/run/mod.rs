@@ -1,6 +1,7 @@
 //! `courant run`: one scene, one method.
 
 mod advection;
+mod choices;
 mod gas;
 mod particles;
 mod tube_file;
@@ -16,7 +17,8 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// Scene: see `courant list scenes`.
     scene: String,
-    /// Method: see `courant list methods`; each family of scenes has its own.
+    /// Method: see `courant list methods`; each family of scenes has its own. Advection scenes take godunov-sph
+    /// if none is given, a tube from a file what the file says; for the others it is required.
     #[arg(long)]
     method: Option<String>,
     /// Number of particles (default: the scene's own).
@@ -34,6 +36,8 @@ pub struct Arguments {
     /// End time (default: the scene's own).
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::positive)]
     time: Option<Rational>,
+    #[command(flatten)]
+    choices: choices::Choices,
     #[command(flatten)]
     advection: advection::Options,
     /// Directory for profile and figure.

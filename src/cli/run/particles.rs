@@ -1,17 +1,18 @@
 //! Scenes and methods of particle hydrodynamics: Cha & Whitworth 2003.
 
 use super::{Arguments, Entry, Family};
-use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::output::{Format, print, print_record};
 use crate::cli::{Failure, Outcome, names};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::to_f64;
-use courant::reports::number::{finite, significant};
+use courant::analysis::rational::{to_f64, to_text};
+use courant::reports::number::{exact_text, finite, significant};
 use courant::reports::particle_profile::{exact_solution_holds, profile_csv, profile_figure};
 use courant::reports::publish::OutputDirectory;
-use courant::reports::run_record::{ConservationRecord, ErrorNorms, RunRecord};
+use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::particles::{
-    InvalidMethodOptions, MethodOptions, ParticleMethod, ParticleRun, ParticleScene, run_particles,
+    InvalidMethodOptions, Material, MethodOptions, ParticleMethod, ParticleRun, ParticleScene,
+    run_particles,
 };
 use serde::Serialize;
 use std::time::Instant;
@@ -53,6 +54,8 @@ struct Plan {
     customary_end: f64,
     particles: usize,
     options: MethodOptions,
+    /// The smoothing ratio as it is written exactly.
+    ratio: String,
 }
 
 impl Plan {
@@ -91,11 +94,23 @@ impl Plan {
         if let Some(courant) = &arguments.cfl {
             options.courant = to_f64(courant);
         }
+        let choices = &arguments.choices;
+        let has: &[&str] = match method.is_godunov() {
+            true => &["--riemann", "--integrator"],
+            false => &["--alpha", "--beta", "--integrator"],
+        };
+        choices.only(has, method.name())?;
+        options.integrator = choices.integrator(options.integrator);
+        options.solver = choices.solver(options.solver);
+        options.viscosity.alpha = choices.alpha(options.viscosity.alpha);
+        options.viscosity.beta = choices.beta(options.viscosity.beta);
+        let ratio = arguments.ratio.as_ref().map_or_else(|| exact_text(options.eta), to_text);
         let plan = Self {
             customary_end,
             particles: arguments.particles.unwrap_or(scene.particles),
             scene,
             options,
+            ratio,
         };
         plan.options.check().map_err(invalid)?;
         Ok(plan)
@@ -128,18 +143,24 @@ fn invalid(error: InvalidMethodOptions) -> Failure {
 struct ParticleRecord {
     #[serde(flatten)]
     run: RunRecord,
-    /// Why norms are null, if they all are.
-    l1_note: Option<&'static str>,
     kernel: &'static str,
-    ratio: f64,
+    ratio: String,
     cfl: f64,
+    integrator: &'static str,
+    /// Only for the methods that have it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alpha: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beta: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    riemann: Option<&'static str>,
     /// Neighbours in the wrong order: the most after any step.
     penetration: usize,
     pair_interactions: u64,
     riemann_iterations: u64,
 }
 
-const BROKEN: &str = "the run broke down";
+const NO_ENERGY: &str = "an isothermal gas has no energy equation";
 const NO_EXACT: &str = "the scene has no exact solution";
 const TOO_LATE: &str =
     "after the scene's own end time, waves from the ends may be inside the comparison window";
@@ -148,6 +169,14 @@ fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
     let exact = exact_solution_holds(&plan.scene, plan.customary_end, run.time);
     // The state of a broken run has no error norm worth the name.
     let errors = run.errors.filter(|_| exact && run.completed());
+    let isothermal = matches!(plan.scene.material, Material::Isothermal(_));
+    let options = &plan.options;
+    let godunov = options.method.is_godunov();
+    let conservation = ConservationRecord {
+        mass: finite(run.drift.mass),
+        momentum: finite(run.drift.momentum),
+        energy: run.drift.energy.and_then(finite),
+    };
     ParticleRecord {
         run: RunRecord {
             scene: plan.scene.name.into(),
@@ -164,22 +193,28 @@ fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
                 pressure: errors.and_then(|e| finite(e.pressure)),
                 energy: errors.and_then(|e| e.energy).and_then(finite),
             },
-            conservation: ConservationRecord {
-                mass: finite(run.drift.mass),
-                momentum: finite(run.drift.momentum),
-                energy: run.drift.energy.and_then(finite),
+            l1_note: match errors {
+                Some(_) if isothermal => Some(NO_ENERGY.into()),
+                Some(_) => None,
+                None if !run.completed() => Some(BROKEN.into()),
+                None if exact => Some(NO_EXACT.into()),
+                None => Some(TOO_LATE.into()),
             },
+            conservation_note: match isothermal {
+                _ if conservation.is_complete() => None,
+                true => Some(NO_ENERGY.into()),
+                false => Some(BROKEN.into()),
+            },
+            conservation,
             wall_seconds: seconds,
         },
-        l1_note: match errors {
-            Some(_) => None,
-            None if !run.completed() => Some(BROKEN),
-            None if exact => Some(NO_EXACT),
-            None => Some(TOO_LATE),
-        },
-        kernel: plan.options.kernel.name(),
-        ratio: plan.options.eta,
-        cfl: plan.options.courant,
+        kernel: options.kernel.name(),
+        ratio: plan.ratio.clone(),
+        cfl: options.courant,
+        integrator: options.integrator.name(),
+        alpha: (!godunov).then_some(options.viscosity.alpha),
+        beta: (!godunov).then_some(options.viscosity.beta),
+        riemann: godunov.then(|| options.solver.name()),
         penetration: run.penetration.largest,
         pair_interactions: run.counters.interactions,
         riemann_iterations: run.counters.riemann_iterations,
@@ -207,8 +242,8 @@ fn table(record: &ParticleRecord) -> Table {
     add("L1 velocity", number(run.l1.velocity, 4));
     add("L1 pressure", number(run.l1.pressure, 4));
     add("L1 energy", number(run.l1.energy, 4));
-    if let Some(note) = record.l1_note {
-        add("no L1", note.into());
+    if let Some(note) = &run.l1_note {
+        add("no L1", note.clone());
     }
     add("drift of mass", number(run.conservation.mass, 2));
     add("drift of momentum", number(run.conservation.momentum, 2));
@@ -234,7 +269,16 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let name = format!("{}_{}", plan.scene.name, plan.options.method.name());
     output.write(&format!("{name}.csv"), &profile_csv(&plan.scene, &run, exact))?;
     // A state that is not finite has no picture; the table of it is still there.
-    let figure = profile_figure(&plan.scene, &run, exact);
+    let title = format!(
+        "{}: {}, {}, h/Δ = {}, {} particles, t = {}",
+        plan.scene.name,
+        plan.options.method.name().to_uppercase(),
+        plan.options.kernel.title(),
+        plan.ratio,
+        plan.particles,
+        significant(run.time, 4)
+    );
+    let figure = profile_figure(&plan.scene, &run, exact).title(title);
     let pictures = figure.png().and_then(|png| Ok((png, figure.svg()?)));
     match pictures {
         Ok((png, svg)) => {
@@ -244,10 +288,7 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Err(error) if run.completed() => return Err(error.into()),
         Err(_) => {}
     }
-    if arguments.format == Format::Json {
-        return print_json("run", &record);
-    }
-    print(&table_text(&table(&record), arguments.format).unwrap_or_default())?;
+    print_record("run", &record, &table(&record), arguments.format)?;
     if arguments.format == Format::Table {
         let path = output.path().join(&name);
         return print(&format!("\nprofile and figure: {}.csv, .png, .svg\n", path.display()));

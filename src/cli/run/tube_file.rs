@@ -155,6 +155,15 @@ mod tests {
     }
 
     #[test]
+    fn the_example_is_sods_tube() {
+        let text = include_str!("../../../examples/tube.toml");
+        let read = parse(text, "mine").unwrap_or_else(|(line, text)| panic!("{line}: {text}"));
+        let (data, sod) = (read.tube.data(), ShockTube::standard("sod").expect("it is there"));
+        assert_eq!((data.left, data.right), (sod.data().left, sod.data().right));
+        assert_eq!((data.name.as_str(), read.method.as_deref()), ("tube", Some("lagrangian-roe")));
+    }
+
+    #[test]
     fn a_good_file_is_the_tube_it_describes() {
         let read = parse(GOOD, "mine").unwrap_or_else(|(line, text)| panic!("{line}: {text}"));
         let sod = ShockTube::standard("sod").expect("it is in the list");

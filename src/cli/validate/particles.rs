@@ -4,20 +4,20 @@ use super::Arguments;
 use crate::cli::names;
 use crate::cli::numbers::{self, Names};
 use crate::cli::output::{Format, print, print_json, table_text};
-use crate::cli::waves::MethodName;
+use crate::cli::waves::{self, MethodName};
 use crate::cli::{Failure, Outcome};
 use clap::Args;
 use courant::analysis::dispersion::{Form, WaveMethod};
+use courant::analysis::integrator::Integrator;
 use courant::analysis::kernel::Kernel;
 use courant::analysis::rational::{Rational, ratio, to_f64, to_text};
 use courant::reports::advection_validation::FactorRecord;
 use courant::reports::number::{finite, significant};
 use courant::reports::particle_validation::{
     FollowedWave, ParticleCase, ParticleModeRow, ParticleValidationError, TOLERANCE, codes,
-    follow_wave, validate_particles,
+    follow_wave, gain, tolerance, validate_particles,
 };
 use courant::reports::table::{Align, Table};
-use courant::simulation::particles::Integrator;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -27,19 +27,6 @@ pub fn method(text: &str) -> Result<MethodName, String> {
         .into_iter()
         .find(|method| method.name() == text)
         .ok_or_else(|| names::unknown("method", text, &MethodName::ALL.map(MethodName::name)))
-}
-
-fn integrator(text: &str) -> Result<Integrator, String> {
-    // The names of the analysis, where it has another one.
-    let name = match text {
-        "leapfrog-kdk" => "kdk",
-        "leapfrog-kdk-predicted" => "kdk-predicted",
-        other => other,
-    };
-    Integrator::ALL
-        .into_iter()
-        .find(|one| one.name() == name)
-        .ok_or_else(|| names::unknown("integrator", text, &Integrator::ALL.map(Integrator::name)))
 }
 
 /// Options that only particle methods have.
@@ -52,7 +39,7 @@ pub struct Options {
     #[arg(long, value_parser = |text: &str| text.parse::<Form>().map_err(|error| error.to_string()))]
     form: Option<Form>,
     /// Integrators of particle methods, separated by commas (default: all).
-    #[arg(long, value_parser = |text: &str| numbers::names(text, integrator))]
+    #[arg(long, value_parser = |text: &str| numbers::names(text, waves::integrator))]
     integrator: Option<Names<Integrator>>,
 }
 
@@ -121,8 +108,14 @@ impl Compared {
         largest(self.waves.iter().map(FollowedWave::error))
     }
 
+    /// What is allowed relative to the largest factor predicted.
+    fn tolerance(&self) -> f64 {
+        tolerance(largest(self.rows.iter().map(|row| gain(row.predicted))))
+    }
+
     fn passed(&self) -> bool {
-        self.max_error() <= TOLERANCE && self.max_wave_error() <= TOLERANCE
+        self.rows.iter().all(|row| row.error <= tolerance(gain(row.predicted)))
+            && self.max_wave_error() <= TOLERANCE
     }
 }
 
@@ -192,6 +185,7 @@ fn case_table(compared: &[Compared]) -> Table {
             ("codes", Align::Left),
             ("largest |z|", Align::Right),
             ("max error", Align::Right),
+            ("allowed", Align::Right),
             ("waves followed", Align::Right),
             ("max error of ω", Align::Right),
             ("agrees", Align::Left),
@@ -199,7 +193,8 @@ fn case_table(compared: &[Compared]) -> Table {
     );
     for one in compared {
         let case = &one.case;
-        let gain = largest(one.rows.iter().flat_map(|row| row.predicted).map(|z| z.norm()));
+        let largest_factor =
+            largest(one.rows.iter().flat_map(|row| row.predicted).map(|z| z.norm()));
         let names: Vec<&str> = codes(&case.method).iter().map(|code| code.name()).collect();
         table.push([
             case.method.title(),
@@ -207,8 +202,9 @@ fn case_table(compared: &[Compared]) -> Table {
             to_text(&case.ratio),
             case.integrator.name().into(),
             names.join(", "),
-            significant(gain, 7),
+            significant(largest_factor, 7),
             significant(one.max_error(), 2),
+            significant(one.tolerance(), 2),
             one.waves.len().to_string(),
             significant(one.max_wave_error(), 2),
             if one.passed() { "yes" } else { "NO" }.into(),
@@ -261,8 +257,9 @@ fn conclusion(compared: &[Compared], steps: usize) -> String {
         }
     };
     format!(
-        "\n{verdict}; max error {}, allowed {TOLERANCE:e}; {waves} waves followed for up to {steps} steps, max error of ω {}\n",
+        "\n{verdict}; max error {}, allowed {}; {waves} waves followed for up to {steps} steps, max error of ω {}\n",
         significant(largest(compared.iter().map(Compared::max_error)), 3),
+        significant(largest(compared.iter().map(Compared::tolerance)), 3),
         significant(largest(compared.iter().map(Compared::max_wave_error)), 3),
     )
 }
@@ -317,7 +314,7 @@ impl Record {
             waves: Vec::new(),
             max_error: finite(largest(compared.iter().map(Compared::max_error))),
             max_wave_error: finite(largest(compared.iter().map(Compared::max_wave_error))),
-            tolerance: TOLERANCE,
+            tolerance: largest(compared.iter().map(Compared::tolerance)),
             steps,
             passed: compared.iter().all(Compared::passed),
         };

@@ -312,6 +312,14 @@ impl<'a> Search<'a> {
         Some(Stretch::Ends(Edge { lower, upper, s }))
     }
 
+    /// Whether single values of `t` are all that may be stable between the two, which is no interval.
+    fn is_unstable_but_for_points(&self, lower: &Rational, upper: &Rational) -> bool {
+        let critical = self.critical_polynomials();
+        critical
+            .and_then(|critical| critical.cells(self.margin, lower, upper, self.root_bits()))
+            .is_some_and(|cells| cells.iter().all(|cell| cell.unstable_wave.is_some()))
+    }
+
     /// A wave that is unstable from `t` on, which only just is.
     fn wave_unstable_above(&self, t: &Rational) -> Option<Rational> {
         self.widths().find_map(|bits| {
@@ -401,7 +409,9 @@ impl<'a> Search<'a> {
             pending.push((middle.clone(), upper, halvings - 1));
             pending.push((lower, middle, halvings - 1));
         }
-        let gaps = gaps.iter().map(|(lower, upper)| self.courant_numbers(lower, upper)).collect();
+        let open =
+            gaps.iter().filter(|(lower, upper)| !self.is_unstable_but_for_points(lower, upper));
+        let gaps = open.map(|(lower, upper)| self.courant_numbers(lower, upper)).collect();
         (edge, gaps)
     }
 

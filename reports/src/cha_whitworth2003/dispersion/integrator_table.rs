@@ -63,7 +63,7 @@ pub fn items() -> Result<Vec<Item>, ReportError> {
                 circle. The conditions of Jury on the characteristic polynomial are polynomials in c Δt/h with cosine \
                 series as coefficients, whose signs are decided in exact arithmetic: the limits below are proved over all \
                 wavelengths for the cubic B-spline and enclosed for the Gaussian. A limit 0 means that some wave grows at \
-                every step; where that growth is weak (forward Euler and second-order Runge–Kutta without viscosity) the \
+                every step; where that growth is weak (forward Euler, centred Euler and second-order Runge–Kutta without viscosity) the \
                 last column gives the step up to which it stays below 1e-3. Symplectic Euler, the leapfrogs and the predictor–corrector without viscosity lose \
                 stability through a double multiplier −1: at the limit itself the amplitude grows linearly, \
                 so only smaller steps are stable.";

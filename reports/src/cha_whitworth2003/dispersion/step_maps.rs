@@ -26,7 +26,7 @@ pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError>
     let scheme =
         WaveScheme::new(method, Kernel::CubicSpline, &integer(1)).map_err(SweepError::from)?;
     let count = Integrator::ALL.len();
-    let mut figure = Figure::grid(3, 3).size(8.2, 8.0);
+    let mut figure = Figure::grid(count.div_ceil(3), 3).size(8.2, 10.6);
     let mut data = Vec::new();
     let mut maps = Vec::new();
     for (index, integrator) in Integrator::ALL.into_iter().enumerate() {
@@ -46,7 +46,7 @@ pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError>
     let figure = figure.color_bar(StepMap::color_bar(&maps)?, Side::Right);
     let caption = "Largest stable c Δt/h of SPH with viscosity over the smoothing ratio and α, for every integrator; \
                    looked at on a grid of phases that resolves every oscillation, single points of it are proved in the \
-                   table above. At α = 0 forward Euler and the second-order Runge–Kutta methods have no stable step: their \
+                   table above. At α = 0 forward Euler, centred Euler and the second-order Runge–Kutta methods have no stable step: their \
                    lowest row is zero. Where viscosity binds, on the right and above, the limit falls like 1/α, and \
                    predicting the velocity of the last kick costs step rather than gains it. Edges that look ragged, as in (a) and (g) on \
                    the left, lie on a crest: there a bound on oscillations that rises with α meets one on alternating signs \

@@ -54,10 +54,10 @@ fn predicted(integrator: Integrator, f: f64, g: f64, dt: f64) -> Matrix {
             Integrator::ForwardEuler => [x + dt * v, v + dt * a],
             Integrator::SymplecticEuler => [x + dt * (v + dt * a), v + dt * a],
             Integrator::CentredEuler => [x + dt * v + 0.5 * dt * dt * a, v + dt * a],
-            Integrator::KickDriftKick | Integrator::KickDriftKickPredicted => {
+            Integrator::LeapfrogKdk | Integrator::LeapfrogKdkPredicted => {
                 let half = v + 0.5 * dt * a;
                 let moved = x + dt * half;
-                let seen = if integrator == Integrator::KickDriftKick { half } else { v + dt * a };
+                let seen = if integrator == Integrator::LeapfrogKdk { half } else { v + dt * a };
                 [moved, half + 0.5 * dt * rates(moved, seen)]
             }
             // For a linear system every RK2 is I + Z + Z²/2, RK3 and RK4 have one and two terms more.
@@ -66,13 +66,13 @@ fn predicted(integrator: Integrator, f: f64, g: f64, dt: f64) -> Matrix {
                 let kick = dt * rates(middle_x, middle_v);
                 [x + dt * (v + 0.5 * kick), v + kick]
             }
-            Integrator::Midpoint
-            | Integrator::Heun
-            | Integrator::RungeKutta3
-            | Integrator::RungeKutta4 => {
+            Integrator::Rk2Midpoint
+            | Integrator::Rk2Heun
+            | Integrator::Rk3Ssp
+            | Integrator::Rk4 => {
                 let order = match integrator {
-                    Integrator::RungeKutta4 => 4,
-                    Integrator::RungeKutta3 => 3,
+                    Integrator::Rk4 => 4,
+                    Integrator::Rk3Ssp => 3,
                     _ => 2,
                 };
                 let (mut sum, mut term) = ([x, v], [x, v]);

@@ -185,7 +185,7 @@ fn evolved<const D: usize>(order: &[usize], force: &impl PairForce) -> Vec<Vecto
         thermal: order.iter().map(|&i| state.thermal[i]).collect(),
         smoothing: order.iter().map(|&i| state.smoothing[i]).collect(),
     };
-    let mut stepper = Stepper::new(Integrator::Heun);
+    let mut stepper = Stepper::new(Integrator::Rk2Heun);
     for _ in 0..3 {
         stepper.begin(&mut system, force).expect("a physical state");
         let dt = 0.02 * stepper.crossing_time(&system);

@@ -255,7 +255,7 @@ fn nothing_is_allocated_once_buffers_have_grown() {
         Smoothing::adaptive(1.2),
         &force,
     );
-    let mut stepper = Stepper::new(Integrator::Heun);
+    let mut stepper = Stepper::new(Integrator::Rk2Heun);
     for _ in 0..3 {
         stepper.step(&mut system, &force, 0.1).expect("a physical state");
     }

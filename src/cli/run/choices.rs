@@ -1,0 +1,132 @@
+//! What a method leaves open beside kernel, ratio and Courant number.
+
+use crate::cli::{Failure, numbers, waves};
+use clap::{Args, ValueEnum};
+use courant::analysis::integrator::Integrator;
+use courant::analysis::rational::{Rational, to_f64};
+use courant::simulation::lagrangian::flux::{ContactViscosity, ModifiedRoe, RoeMean};
+use courant::simulation::particles::SolverChoice;
+
+/// The options; each is refused by methods that do not have it.
+#[derive(Debug, Args)]
+pub struct Choices {
+    /// sph1, sph2, sph-adke: linear viscosity α (default: 1).
+    #[arg(long, allow_hyphen_values = true, value_parser = waves::alpha)]
+    alpha: Option<Rational>,
+    /// sph1, sph2, sph-adke: quadratic viscosity β (default: 2).
+    #[arg(long, allow_hyphen_values = true, value_parser = waves::alpha)]
+    beta: Option<Rational>,
+    /// gph1 to gph4: Riemann solver (default: published).
+    #[arg(long, value_enum)]
+    riemann: Option<SolverName>,
+    /// gph1 to gph4, sph1, sph2: see `courant list integrators` (default: centred-euler; SPH rk2-heun).
+    #[arg(long, value_parser = waves::integrator)]
+    integrator: Option<Integrator>,
+    /// lagrangian-roe: what the mean state is the mean of (default: density).
+    #[arg(long, value_enum)]
+    roe_mean: Option<MeanName>,
+    /// lagrangian-roe: viscosity of the contact over the largest velocity (default: 0.1).
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = numbers::non_negative)]
+    contact: Option<Rational>,
+    /// lagrangian-roe: form of that viscosity (default: printed).
+    #[arg(long, value_enum)]
+    contact_form: Option<ContactName>,
+}
+
+/// Riemann solvers by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum SolverName {
+    /// As in Cha & Whitworth 2003: van Leer's iteration with its stopping rule; isothermal (27).
+    Published,
+    /// Van Leer's iteration to convergence; isothermal exact.
+    Converged,
+    /// Exact.
+    Exact,
+}
+
+/// Roe means by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum MeanName {
+    /// Of the densities, as printed in Ferrari et al. 2008 (3.14).
+    Density,
+    /// Of the specific volumes: consistent in the sense of Roe.
+    Volume,
+}
+
+/// Forms of the contact's viscosity by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ContactName {
+    /// A velocity, Ferrari et al. 2008 (3.15).
+    Printed,
+    /// Times the mean density: a mass flux, as the other eigenvalues are.
+    MassFlux,
+}
+
+impl Choices {
+    /// Refuses the first option given that is not in `has`, for a method or family called `name`.
+    pub fn only(&self, has: &[&str], name: &str) -> Result<(), Failure> {
+        let given = [
+            ("--alpha", self.alpha.is_some()),
+            ("--beta", self.beta.is_some()),
+            ("--riemann", self.riemann.is_some()),
+            ("--integrator", self.integrator.is_some()),
+            ("--roe-mean", self.roe_mean.is_some()),
+            ("--contact", self.contact.is_some()),
+            ("--contact-form", self.contact_form.is_some()),
+        ];
+        match given.into_iter().find(|(option, given)| *given && !has.contains(option)) {
+            Some((option, _)) => {
+                let all = if has.is_empty() { "none of this kind".into() } else { has.join(", ") };
+                Err(Failure::Message(format!(
+                    "{option}: {name} has no such option; accepted: {all}"
+                )))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// α, or what it is otherwise.
+    pub fn alpha(&self, otherwise: f64) -> f64 {
+        self.alpha.as_ref().map_or(otherwise, to_f64)
+    }
+
+    /// β, or what it is otherwise.
+    pub fn beta(&self, otherwise: f64) -> f64 {
+        self.beta.as_ref().map_or(otherwise, to_f64)
+    }
+
+    /// The solver, or what it is otherwise.
+    pub fn solver(&self, otherwise: SolverChoice) -> SolverChoice {
+        match self.riemann {
+            None => otherwise,
+            Some(SolverName::Published) => SolverChoice::Published,
+            Some(SolverName::Converged) => SolverChoice::Converged,
+            Some(SolverName::Exact) => SolverChoice::Exact,
+        }
+    }
+
+    /// The integrator, or what it is otherwise.
+    pub fn integrator(&self, otherwise: Integrator) -> Integrator {
+        self.integrator.unwrap_or(otherwise)
+    }
+
+    /// The flux with the choices made.
+    pub fn roe(&self, otherwise: ModifiedRoe) -> ModifiedRoe {
+        let mean = match self.roe_mean {
+            None => otherwise.mean,
+            Some(MeanName::Density) => RoeMean::Density,
+            Some(MeanName::Volume) => RoeMean::Volume,
+        };
+        let (printed, usual) = match otherwise.contact {
+            ContactViscosity::Printed(factor) => (true, factor),
+            ContactViscosity::MassFlux(factor) => (false, factor),
+        };
+        let factor = self.contact.as_ref().map_or(usual, to_f64);
+        let printed = self.contact_form.map_or(printed, |form| form == ContactName::Printed);
+        let contact = match printed {
+            true => ContactViscosity::Printed(factor),
+            false => ContactViscosity::MassFlux(factor),
+        };
+        ModifiedRoe { mean, contact }
+    }
+}
