@@ -166,6 +166,6 @@ fn scenes_and_methods_are_listed_with_sources() {
     let figures = list("figures");
     for number in 3..=21 {
         let wanted = format!("Figure {number}");
-        assert!(source(&figures, &format!("figure_{number}")).ends_with(&wanted));
+        assert!(source(&figures, &format!("figure_{number:02}")).ends_with(&wanted));
     }
 }
