@@ -142,12 +142,15 @@ fn primitive(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
 /// integer fixed point, verified by the signs of the polynomial at both ends. (The coefficients have thousands of digits;
 /// fractions and Sturm's chain on them cost a thousand times as much.)
 pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Option<RealRoot> {
-    // Unit of t: about 2^−3·bits of its size. Coefficients keep as many bits below the largest.
+    // Unit of t: about 2^−3·bits of its size. The largest coefficient has twice as many.
     let digits = 3 * i64::from(bits);
     let shift = digits - guess.log2().ceil() as i64;
     let largest = coefficients.iter().map(|value| value.bits() as i64).max()?;
-    let cut = (largest - 2 * digits).max(0) as u64;
-    let rounded: Vec<BigInt> = coefficients.iter().map(|value| value >> cut).collect();
+    let cut = largest - 2 * digits;
+    let rounded: Vec<BigInt> = coefficients
+        .iter()
+        .map(|value| if cut >= 0 { value >> cut as u64 } else { value << (-cut) as u64 })
+        .collect();
     let unit =
         |value: BigInt| if shift >= 0 { value >> shift as u64 } else { value << (-shift) as u64 };
     let mut root = (from_f64(guess)? * power_of_two(shift)).to_integer();
@@ -228,6 +231,17 @@ mod tests {
             let found = real_roots(&p, &integer(-10), &integer(10), 80);
             let exact: Vec<_> = found.iter().filter_map(|root| root.exact().cloned()).collect();
             prop_assert_eq!(exact, chosen);
+        }
+
+        #[test]
+        fn newtons_method_serves_short_coefficients_too(square in 2i64..1000, bits in 20u32..500) {
+            prop_assume!(BigInt::from(square).sqrt().pow(2) != BigInt::from(square));
+            let guess = (square as f64).sqrt();
+            let root = root_near(&[(-square).into(), BigInt::zero(), 1.into()], guess, bits);
+            let root = root.expect("a simple root close to the guess");
+            prop_assert!(&root.lower * &root.lower < integer(square));
+            prop_assert!(integer(square) < &root.upper * &root.upper);
+            prop_assert!(&root.upper - &root.lower <= &root.upper * power_of_two(3 - i64::from(bits)));
         }
 
         #[test]

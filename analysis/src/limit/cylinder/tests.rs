@@ -88,6 +88,12 @@ proptest! {
     }
 }
 
+#[test]
+fn an_edge_where_three_waves_meet_is_found() {
+    let margin = Margin::new(&symbol(vec![vec![0, -3], vec![1, 2, -1]], 16), &ratio(1, 100));
+    assert!(compare(&margin, &integer(4)));
+}
+
 /// `P = Σ_j t^j p_j(s)` from coefficients of powers of `s`.
 fn margin_of(rows: &[&[i64]]) -> Margin {
     let series: Vec<EnclosedSeries> = rows

@@ -312,6 +312,16 @@ impl<'a> Search<'a> {
         Some(Stretch::Ends(Edge { lower, upper, s }))
     }
 
+    /// Where an unstable stretch ends, from the critical polynomials.
+    fn upper_edge_of_cells(&self, from: &Rational) -> Option<Edge> {
+        let critical = self.critical_polynomials()?;
+        let cells = critical.cells(self.margin, from, &self.end, self.root_bits())?;
+        let stable = cells.iter().skip(1).position(|cell| cell.unstable_wave.is_none())? + 1;
+        let (lower, upper) = cells[stable].from.clone();
+        let s = cells[stable - 1].unstable_wave.clone()?;
+        Some(Edge { lower, upper, s })
+    }
+
     /// Whether single values of `t` are all that may be stable between the two, which is no interval.
     fn is_unstable_but_for_points(&self, lower: &Rational, upper: &Rational) -> bool {
         let critical = self.critical_polynomials();
@@ -372,7 +382,9 @@ impl<'a> Search<'a> {
         let guess = covering
             .map(|unstable| unstable.to)
             .filter(|to| to.parameter < to_f64(&self.end) * (1.0 - 1e-12));
-        let edge = guess.and_then(|guess| self.upper_edge(guess));
+        let edge = guess
+            .and_then(|guess| self.upper_edge(guess))
+            .or_else(|| self.upper_edge_of_cells(from));
         let to = edge.as_ref().map_or_else(|| self.end.clone(), |edge| edge.lower.clone());
         let mut witnesses = vec![witness];
         witnesses.extend(edge.as_ref().map(|edge| edge.s.clone()));
