@@ -25,12 +25,15 @@ pub struct Work {
     pub boxes: usize,
     /// Exact evaluations of the polynomial at a point.
     pub evaluations: usize,
+    /// Cells between critical values decided by Sturm's theorem.
+    pub cells: usize,
 }
 
 impl std::ops::AddAssign for Work {
     fn add_assign(&mut self, other: Self) {
         self.boxes += other.boxes;
         self.evaluations += other.evaluations;
+        self.cells += other.cells;
     }
 }
 

@@ -43,7 +43,8 @@ static COSINES: LazyLock<Vec<BigInt>> = LazyLock::new(|| {
     let (mut first, mut term, mut k) = (BigInt::zero(), one.clone(), 0);
     while !term.is_zero() {
         first += &term;
-        term = -((term * &step >> BITS) * &step >> BITS) / ((k + 1) * (k + 2));
+        let square: BigInt = (&step * &step) >> BITS;
+        term = -((term * square) >> BITS) / ((k + 1) * (k + 2));
         k += 2;
     }
     let mut cosines = vec![one, first.clone()];
@@ -96,7 +97,6 @@ fn the_cosines_are_right() {
     assert!(near(&COSINES[CELLS], integer(-1)) && near(&COSINES[CELLS / 2], integer(0)));
     let quarter = &COSINES[CELLS / 4];
     assert!(near(&((quarter * quarter) >> BITS), ratio(1, 2)));
-    assert!(near(&COSINES[2 * CELLS - 1], from_f64(0.0).unwrap()) == false);
     assert!((&COSINES[2 * CELLS] - (BigInt::one() << BITS)).abs() < *NOISE);
 }
 

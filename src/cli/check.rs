@@ -152,5 +152,6 @@ fn describe(limit: &Limit, symbol: &str) -> String {
             .binding_offset()
             .map_or_else(String::new, |k| format!(", coefficient of offset {k}")),
     };
-    format!("{}{exact} ({}{wave})", significant(limit.value(), 12), limit.evidence().name())
+    let digits = limit.decimal(12).unwrap_or_default();
+    format!("{digits}{exact} ({}{wave})", limit.evidence().name())
 }

@@ -240,7 +240,7 @@ impl Table1 {
                 entry.published.kind.name().to_string(),
                 entry.published.kernel.title().into(),
                 entry.published.ratio.to_string(),
-                entry.limit.decimal(7).unwrap_or_default(),
+                six_decimals(&entry.limit),
                 format!("{:.2}", to_f64(&entry.published.courant)),
                 format!("{:+.2} %", entry.difference_percent),
                 growth.map_or_else(
@@ -289,6 +289,12 @@ impl Table1 {
 }
 
 /// The first cells of a row.
+/// A limit cut off after six decimals.
+fn six_decimals(limit: &Limit) -> String {
+    let whole_digits = format!("{:.0}", limit.lower().floor()).len();
+    limit.decimal(6 + whole_digits).unwrap_or_default()
+}
+
 fn row_head(kind: LimitKind, kernel: Kernel, what: &str) -> Vec<Cell> {
     vec![kind.name().into(), kernel.title().into(), what.into()]
 }

@@ -5,6 +5,7 @@ use super::{DEFAULT_BITS, MAX_BOXES, StableInterval, StableSet, phase_parameter}
 use crate::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::limit::critical::{UnstableInterval, refine, resolving_phases, sampled_unstable_set};
 use crate::limit::critical_polynomial::CriticalPolynomials;
+use crate::limit::cylinder::Cell;
 use crate::limit::pointwise::{PointVerdict, decide_at_parameter};
 use crate::limit::{Evidence, Limit};
 use crate::margin::{CompiledMargin, Margin};
@@ -296,9 +297,7 @@ impl<'a> Search<'a> {
 
     /// The end of a stable stretch from the critical polynomials.
     fn stretch_of_cells(&mut self, from: &Rational) -> Option<Stretch> {
-        let bits = self.root_bits();
-        let cells = self.critical_polynomials()?.cells(self.margin, from, &self.end, bits)?;
-        self.work.evaluations += cells.len();
+        let cells = self.cells(from, &self.end.clone())?;
         let Some(first) = cells.iter().position(|cell| cell.unstable_wave.is_some()) else {
             return Some(Stretch::Continues);
         };
@@ -313,9 +312,8 @@ impl<'a> Search<'a> {
     }
 
     /// Where an unstable stretch ends, from the critical polynomials.
-    fn upper_edge_of_cells(&self, from: &Rational) -> Option<Edge> {
-        let critical = self.critical_polynomials()?;
-        let cells = critical.cells(self.margin, from, &self.end, self.root_bits())?;
+    fn upper_edge_of_cells(&mut self, from: &Rational) -> Option<Edge> {
+        let cells = self.cells(from, &self.end.clone())?;
         let stable = cells.iter().skip(1).position(|cell| cell.unstable_wave.is_none())? + 1;
         let (lower, upper) = cells[stable].from.clone();
         let s = cells[stable - 1].unstable_wave.clone()?;
@@ -323,11 +321,17 @@ impl<'a> Search<'a> {
     }
 
     /// Whether single values of `t` are all that may be stable between the two, which is no interval.
-    fn is_unstable_but_for_points(&self, lower: &Rational, upper: &Rational) -> bool {
-        let critical = self.critical_polynomials();
-        critical
-            .and_then(|critical| critical.cells(self.margin, lower, upper, self.root_bits()))
+    fn is_unstable_but_for_points(&mut self, lower: &Rational, upper: &Rational) -> bool {
+        self.cells(lower, upper)
             .is_some_and(|cells| cells.iter().all(|cell| cell.unstable_wave.is_some()))
+    }
+
+    /// The cells of a range of `t`, if there are critical polynomials.
+    fn cells(&mut self, from: &Rational, to: &Rational) -> Option<Vec<Cell>> {
+        let bits = self.root_bits();
+        let cells = self.critical_polynomials()?.cells(self.margin, from, to, bits)?;
+        self.work.cells += cells.len();
+        Some(cells)
     }
 
     /// A wave that is unstable from `t` on, which only just is.
@@ -383,8 +387,7 @@ impl<'a> Search<'a> {
             .map(|unstable| unstable.to)
             .filter(|to| to.parameter < to_f64(&self.end) * (1.0 - 1e-12));
         let edge = guess
-            .and_then(|guess| self.upper_edge(guess))
-            .or_else(|| self.upper_edge_of_cells(from));
+            .and_then(|guess| self.upper_edge(guess).or_else(|| self.upper_edge_of_cells(from)));
         let to = edge.as_ref().map_or_else(|| self.end.clone(), |edge| edge.lower.clone());
         let mut witnesses = vec![witness];
         witnesses.extend(edge.as_ref().map(|edge| edge.s.clone()));
@@ -421,9 +424,8 @@ impl<'a> Search<'a> {
             pending.push((middle.clone(), upper, halvings - 1));
             pending.push((lower, middle, halvings - 1));
         }
-        let open =
-            gaps.iter().filter(|(lower, upper)| !self.is_unstable_but_for_points(lower, upper));
-        let gaps = open.map(|(lower, upper)| self.courant_numbers(lower, upper)).collect();
+        gaps.retain(|(lower, upper)| !self.is_unstable_but_for_points(lower, upper));
+        let gaps = gaps.iter().map(|(lower, upper)| self.courant_numbers(lower, upper)).collect();
         (edge, gaps)
     }
 

@@ -164,6 +164,8 @@ fn the_work_stays_small() {
         let set = set(scheme, kernel, integer(l));
         assert!(set.undecided.is_empty());
         assert!(set.work.boxes <= boxes, "{scheme} {kernel} {l}: {:?}", set.work);
+        // Cells are for waves that touch.
+        assert_eq!(set.work.cells, 0, "{scheme} {kernel} {l}: {:?}", set.work);
     }
 }
 
