@@ -43,7 +43,10 @@ const MAX_FAILURES: usize = 2000;
 const MAX_STRETCHES: usize = 64;
 
 /// Products of residues that a discriminant may cost when nobody asked for it: some milliseconds.
-const AFFORDABLE_PRODUCTS: usize = 2_000_000;
+const AFFORDABLE_PRODUCTS: usize = 600_000;
+
+/// How many times more it may cost when more digits than an `f64` has were asked for.
+const PATIENCE: usize = 50;
 
 /// A point `(s, t)` where the margin is negative.
 type Counterexample = Box<(Rational, Rational)>;
@@ -96,7 +99,8 @@ impl<'a> Search<'a> {
     /// The polynomials whose roots are the critical values, if the data are exact and the cost is fair.
     pub(super) fn critical_polynomials(&self) -> Option<&CriticalPolynomials> {
         let wanted = self.margin.is_exact() && self.bits >= RECOGNISING_BITS;
-        let compute = || CriticalPolynomials::new(self.margin, AFFORDABLE_PRODUCTS);
+        let patience = if self.bits > RECOGNISING_BITS { PATIENCE } else { 1 };
+        let compute = || CriticalPolynomials::new(self.margin, patience * AFFORDABLE_PRODUCTS);
         self.critical.get_or_init(|| wanted.then(compute).flatten()).as_ref()
     }
 
