@@ -25,7 +25,7 @@ pub struct LimitRecord {
     /// The polynomial of which it is a root, when it has no closed form.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equation: Option<EquationRecord>,
-    /// `proved`, `enclosed` or `sampled`.
+    /// `proved`, `enclosed`, `sampled` or `undecided`.
     pub evidence: &'static str,
     /// How many phases a sampled limit looked at.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -61,13 +61,15 @@ impl From<&Limit> for LimitRecord {
             evidence: limit.evidence().name(),
             phases: match limit.evidence() {
                 Evidence::Sampled { phases } => Some(phases),
-                Evidence::Proved | Evidence::Enclosed => None,
+                Evidence::Proved | Evidence::Enclosed | Evidence::Undecided => None,
             },
             critical_phase: limit.critical_phase(),
             cause: limit.cause().map(|cause| cause.name()),
             binding_offset: limit.binding_offset(),
-            reason: unlimited
-                .then(|| format!("no limit up to C = {}", significant(limit.lower(), 6))),
+            reason: unlimited.then(|| match limit.evidence() {
+                Evidence::Undecided => "undecided".into(),
+                _ => format!("no limit up to C = {}", significant(limit.lower(), 6)),
+            }),
         }
     }
 }
@@ -91,6 +93,12 @@ pub struct IntervalRecord {
     /// Why the end is `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub to_note: Option<String>,
+    /// Everything about where it begins.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub begin: Option<LimitRecord>,
+    /// Everything about where it ends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end: Option<LimitRecord>,
 }
 
 impl IntervalRecord {
@@ -98,7 +106,8 @@ impl IntervalRecord {
     pub fn new(from: f64, to: f64, range_end: f64) -> Self {
         let note = format!("no end up to {}", significant(range_end, 6));
         // Adding zero turns −0 into 0.
-        Self { from: from + 0.0, to: finite(to), to_note: to.is_infinite().then_some(note) }
+        let to_note = to.is_infinite().then_some(note);
+        Self { from: from + 0.0, to: finite(to), to_note, begin: None, end: None }
     }
 
     /// From 0 to a limit.
@@ -145,7 +154,11 @@ pub struct LimitsRow {
 pub fn intervals(set: &StableSet) -> Vec<IntervalRecord> {
     set.intervals
         .iter()
-        .map(|i| IntervalRecord::new(i.from.upper(), i.to.value(), i.to.lower()))
+        .map(|i| IntervalRecord {
+            begin: Some((&i.from).into()),
+            end: Some((&i.to).into()),
+            ..IntervalRecord::new(i.from.upper(), i.to.value(), i.to.lower())
+        })
         .collect()
 }
 

@@ -12,9 +12,10 @@ use courant::analysis::certificate::{
 };
 use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::{
-    DEFAULT_BITS, Limit, StableSet, monotonicity_limit, sampled_stability_limit, stable_set_to,
+    DEFAULT_BITS, Evidence, Limit, StableSet, monotonicity_limit, sampled_stability_limit,
+    stable_set_to,
 };
-use courant::analysis::rational::{Rational, to_f64, to_text};
+use courant::analysis::rational::{Rational, decimal_below, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant::reports::certificate_file;
 use courant::reports::number::{finite, significant};
@@ -22,7 +23,7 @@ use courant::reports::record::{
     GrowthRecord, IntervalRecord, LimitRecord, LimitsRow, exact_latex, intervals, undecided,
 };
 use courant::reports::table::{Align, Cell, Table};
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -47,7 +48,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = numbers::phases, conflicts_with = "method")]
     samples: Option<usize>,
     /// Significant digits of the limits, cut off and not rounded (at most 300); more than 15 need a closed form, an equation, or a
-    /// narrower enclosure, which takes longer.
+    /// narrower enclosure, which takes longer; limits of particle methods have them where they have a closed form or an equation.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::digits)]
     digits: Option<usize>,
     /// Also write a certificate of every limit to this file; `courant verify` checks it.
@@ -133,7 +134,12 @@ fn budgets(arguments: &Arguments) -> &[Rational] {
 
 /// A table with a column for each growth budget after the others.
 fn table_with_budgets(arguments: &Arguments, caption: String, columns: &[(&str, Align)]) -> Table {
-    let name = |growth: &Rational| format!("growth {}", significant(to_f64(growth), 3));
+    // A budget may be smaller than any f64.
+    let digits = |growth: &Rational| match to_f64(growth) {
+        0.0 if growth.is_positive() => decimal_below(growth, 3),
+        rounded => significant(rounded, 3),
+    };
+    let name = |growth: &Rational| format!("growth {}", digits(growth));
     let names: Vec<String> = budgets(arguments).iter().map(name).collect();
     let growth = names.iter().map(|name| (name.as_str(), Align::Right));
     let columns: Vec<(&str, Align)> = columns.iter().copied().chain(growth).collect();
@@ -270,7 +276,8 @@ fn csv_table(arguments: &Arguments, answers: &[Answer]) -> Table {
     let growth = budgets(arguments).iter().map(|growth| format!("growth_{:e}", to_f64(growth)));
     let mut columns: Vec<String> = ["scheme", "kernel", "ratio"].map(String::from).to_vec();
     for limit in limits.chain(growth) {
-        let parts = ["", "_lower", "_upper", "_exact", "_evidence", "_phase", "_cause"];
+        let parts =
+            ["", "_lower", "_upper", "_exact", "_equation", "_evidence", "_phase", "_cause"];
         columns.extend(parts.map(|part| format!("{limit}{part}")));
     }
     columns.push("keeps_constants".into());
@@ -287,6 +294,7 @@ fn csv_table(arguments: &Arguments, answers: &[Answer]) -> Table {
                 limit.lower.to_string(),
                 shown(limit.upper),
                 limit.exact.unwrap_or_default(),
+                limit.equation.map(|equation| equation.text).unwrap_or_default(),
                 limit.evidence.into(),
                 shown(limit.critical_phase),
                 limit.cause.unwrap_or_default().into(),
@@ -309,7 +317,11 @@ fn bits(arguments: &Arguments) -> u32 {
 
 /// A limit for people: no digit is rounded up, so that what is printed may be used.
 fn number(arguments: &Arguments, limit: &Limit) -> Cell {
-    match limit.decimal(arguments.digits.unwrap_or(DEFAULT_DIGITS)) {
+    let shown = match arguments.digits {
+        Some(digits) => limit.decimal(digits),
+        None => limit.proved_decimal(DEFAULT_DIGITS),
+    };
+    match shown {
         Some(digits) => digits.into(),
         None => format!("> {}", significant(limit.lower(), 6)).into(),
     }
@@ -350,10 +362,16 @@ const LONGEST_EQUATION: usize = 160;
 
 /// The equation a limit solves, if there is one and it can be read.
 fn add_equation(remarks: &mut Vec<String>, name: &str, limit: &str, unknown: &str, found: &Limit) {
-    let text = found.equation().map(|root| root.equation(unknown));
-    if let Some(text) = text.filter(|text| text.len() <= LONGEST_EQUATION) {
-        remarks.push(format!("{name}: {limit} solves {text}"));
-    }
+    let Some(root) = found.equation() else { return };
+    let text = root.equation(unknown);
+    remarks.push(if text.len() <= LONGEST_EQUATION {
+        format!("{name}: {limit} solves {text}")
+    } else {
+        format!(
+            "{name}: {limit} is a root of a polynomial of degree {}: see --format json",
+            root.degree()
+        )
+    });
 }
 
 /// What the columns cannot say.
@@ -369,6 +387,16 @@ fn remarks(answers: &[Answer]) -> Vec<String> {
             remarks.push(format!("{name}: a constant is not kept, the mean drifts"));
         }
         add_equation(&mut remarks, &name, "the stability limit C", "C", &answer.stability);
+        add_equation(&mut remarks, &name, "the monotonicity limit C", "C", &answer.monotonicity);
+        for (growth, limit) in &answer.growth {
+            if limit.evidence() == Evidence::Undecided {
+                let budget = decimal_below(growth, 3);
+                remarks.push(format!(
+                    "{name}: |g| ≤ 1 + {budget} is proved up to C = {} and undecided above",
+                    significant(limit.lower(), 8)
+                ));
+            }
+        }
         let Some(set) = &answer.set else { continue };
         if set.neutral {
             remarks.push(format!("{name}: |g| = 1 for every wave at every C: no neighbour counts"));

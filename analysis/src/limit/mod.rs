@@ -43,6 +43,8 @@ pub enum Evidence {
         /// How many phases were looked at.
         phases: usize,
     },
+    /// The property holds up to the lower end; beyond it nothing is known, up to the upper end.
+    Undecided,
 }
 
 impl Evidence {
@@ -52,6 +54,7 @@ impl Evidence {
             Self::Proved => "proved",
             Self::Enclosed => "enclosed",
             Self::Sampled { .. } => "sampled",
+            Self::Undecided => "undecided",
         }
     }
 }
@@ -219,6 +222,12 @@ impl Limit {
             .unwrap_or(self.lower.next_down())
     }
 
+    /// The first digits of the lower end, cut off: what is proved, however far the upper end may be. `None` when no limit was met.
+    pub fn proved_decimal(&self, digits: usize) -> Option<String> {
+        let lower = self.certain_lower().filter(|_| self.upper.is_finite())?;
+        Some(if lower.is_positive() { decimal_below(&lower, digits) } else { "0".into() })
+    }
+
     /// The property certainly holds up to this fraction, as far as is known without effort.
     pub(crate) fn certain_lower(&self) -> Option<Rational> {
         self.enclosure(EXACT_BITS).map(|(lower, _)| lower).or_else(|| from_f64(self.lower))
@@ -250,11 +259,16 @@ impl Limit {
         if !lower.is_positive() {
             return Some("0".into());
         }
-        let settled = |digits: &usize| {
-            let one_unit = &lower / integer(10).pow(*digits as i32 - 1);
-            &upper - &lower < one_unit
-        };
-        let digits = (1..=digits).rev().find(settled).unwrap_or(1);
+        // An f64 from samples has no more digits than this, however long it is in decimals.
+        let most = if matches!(self.evidence, Evidence::Sampled { .. }) { 15 } else { digits };
+        // The power of ten of the first digit; logarithms may be one off.
+        let mut first = integer(10).pow(to_f64(&lower).log10().floor() as i32);
+        while first > lower {
+            first /= integer(10);
+        }
+        let settled =
+            |digits: &usize| &upper - &lower < &first / integer(10).pow(*digits as i32 - 1);
+        let digits = (1..=digits.min(most)).rev().find(settled).unwrap_or(1);
         Some(decimal_below(&lower, digits))
     }
 

@@ -4,7 +4,7 @@
 use super::{Evidence, ExactValue, Limit};
 use crate::algebraic_number::AlgebraicNumber;
 use crate::polynomial::Polynomial;
-use crate::rational::{Rational, common_denominator, integer, numerator_over};
+use crate::rational::{Rational, common_denominator, integer, numerator_over, to_f64_below};
 use crate::real_roots::{RealRoot, real_roots};
 use crate::stencil::Stencil;
 use crate::symbol::EnclosedSymbol;
@@ -47,12 +47,26 @@ pub fn monotonicity_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Li
         Some(value) if symbol.is_exact() || value.is_zero() => {
             Limit::exactly(ExactValue::Fraction(value.clone()), evidence)
         }
+        _ if root.upper == *max_courant => {
+            Limit::between(to_f64_below(&root.lower), f64::INFINITY, Evidence::Undecided)
+        }
         _ => match symbol.is_exact().then(|| algebraic(&coefficient, &root)).flatten() {
-            Some(number) => Limit::root_of(number, evidence),
+            Some(number) => match square_root(&coefficient) {
+                Some(exact) => Limit::exactly(exact, evidence),
+                None => Limit::root_of(number, evidence),
+            },
             None => Limit::enclosed(root.lower, root.upper, evidence),
         },
     };
     limit.at_offset(offset)
+}
+
+/// The positive root of `a + b C²`.
+fn square_root(coefficient: &Polynomial<Rational>) -> Option<ExactValue> {
+    match coefficient.coefficients() {
+        [a, none, b] if none.is_zero() => Some(ExactValue::square_root(-a / b)),
+        _ => None,
+    }
 }
 
 /// A root of the coefficient where it changes its sign.
@@ -95,6 +109,7 @@ fn first_negative(
     match (lower, upper) {
         (None, _) => None,
         (Some(lower), Some(upper)) => Some(RealRoot { lower: lower.lower, upper: upper.upper }),
+        // Perhaps lost within the range, by the uncertainty of the data alone.
         (Some(lower), None) => Some(RealRoot { lower: lower.lower, upper: end.clone() }),
     }
 }
@@ -158,6 +173,12 @@ mod tests {
         let limit = monotonicity_limit(&EnclosedSymbol::exact(symbol), &integer(10));
         assert_eq!(limit.equation().unwrap().equation("C"), "-C^2 - C + 1 = 0");
         assert_eq!(limit.decimal(20).unwrap(), "0.61803398874989484820");
+    }
+
+    #[test]
+    fn a_pure_square_gives_a_square_root() {
+        let limit = limit(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, ratio(1, 2));
+        assert_eq!(limit.exact().unwrap().to_string(), "sqrt(1/8)");
     }
 
     #[test]

@@ -79,9 +79,10 @@ fn negative_point(polynomial: &Polynomial<Rational>) -> Option<Rational> {
         // Between two roots the sign is known once a point between them is no root itself.
         let separated = roots.windows(2).all(|pair| pair[0].upper < pair[1].lower);
         let apart = roots.first().is_none_or(|first| first.lower.is_positive());
-        if separated && apart || bits > 4096 {
+        if separated && apart {
             return None;
         }
+        assert!(bits <= 1 << 20, "distinct roots of a polynomial come apart");
         bits *= 2;
     }
 }

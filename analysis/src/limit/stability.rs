@@ -54,7 +54,7 @@ impl StableSet {
         match self.intervals.first() {
             Some(first) if first.from.upper() == 0.0 => first.to.clone(),
             _ if self.undecided.first().is_some_and(|open| open.0 == 0.0) => {
-                Limit::between(0.0, f64::INFINITY, self.evidence)
+                Limit::between(0.0, f64::INFINITY, Evidence::Undecided)
             }
             _ => {
                 let zero = Limit::exactly(ExactValue::Fraction(Rational::zero()), self.evidence);
@@ -113,15 +113,24 @@ pub fn stable_set_to(
     max_courant: &Rational,
     bits: u32,
 ) -> StableSet {
-    search(&Margin::new(symbol, growth), max_courant, bits)
+    let strict =
+        search(&Margin::new(symbol, &Rational::zero()), max_courant, &Rational::zero(), bits);
+    if growth.is_zero() {
+        return strict;
+    }
+    // What does not grow at all does not grow too fast: only the rest is searched.
+    let known = strict.limit().certain_lower().unwrap_or_default();
+    let mut set = search(&Margin::new(symbol, growth), max_courant, &known, bits);
+    set.work += strict.work;
+    set
 }
 
 /// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
 pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
-    search(margin, max_courant, DEFAULT_BITS)
+    search(margin, max_courant, &Rational::zero(), DEFAULT_BITS)
 }
 
-fn search(margin: &Margin, max_courant: &Rational, bits: u32) -> StableSet {
+fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) -> StableSet {
     let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
     if margin.is_neutral() {
         return StableSet {
@@ -136,7 +145,7 @@ fn search(margin: &Margin, max_courant: &Rational, bits: u32) -> StableSet {
             work: Work::default(),
         };
     }
-    Search::new(margin, max_courant, bits).run(max_courant, evidence)
+    Search::new(margin, max_courant, bits).knowing(known).run(max_courant, evidence)
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.

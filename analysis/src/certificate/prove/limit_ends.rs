@@ -18,7 +18,7 @@ pub(super) fn ends(
     if limit.upper().is_infinite() {
         return (power(max_courant, stride), None);
     }
-    match closed_form(limit) {
+    match closed_form(limit, stride) {
         Some(exact) => (parameter(exact, stride), Some(parameter(exact, stride))),
         None => {
             let end = |value: f64| power(&exactly(value), stride);
@@ -28,9 +28,10 @@ pub(super) fn ends(
 }
 
 /// The closed form of a limit that boxes can reach. Where a wave between the ends of the phase range binds, the margin has a double
-/// zero at the limit, and boxes come as near as one likes, but not there.
-pub(super) fn closed_form(limit: &Limit) -> Option<&ExactValue> {
-    limit.exact().filter(|_| limit.cause() != Some(Cause::Interior))
+/// zero at the limit, and boxes come as near as one likes, but not there; and a square root is no fraction where `t` is `C`.
+pub(super) fn closed_form(limit: &Limit, stride: usize) -> Option<&ExactValue> {
+    let is_a_fraction = |exact: &&ExactValue| stride == 2 || exact.as_fraction().is_some();
+    limit.exact().filter(|_| limit.cause() != Some(Cause::Interior)).filter(is_a_fraction)
 }
 
 /// A number below the limit, the lower end of its enclosure.

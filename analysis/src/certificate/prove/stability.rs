@@ -74,7 +74,7 @@ impl StabilityProver<'_> {
         max_courant: &Rational,
     ) -> Result<StabilityProof, CertificationError> {
         let stride = self.margin.stride();
-        let from = match closed_form(&interval.from) {
+        let from = match closed_form(&interval.from, stride) {
             Some(exact) => parameter(exact, stride),
             // Inside the interval: its beginning is enclosed, not known.
             None => power(&exactly(just_above(&interval.from)), stride),

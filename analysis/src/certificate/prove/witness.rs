@@ -23,7 +23,7 @@ impl StabilityProver<'_> {
         let courant_number = if upper.is_zero() {
             Rational::zero()
         } else {
-            match closed_form(limit).and_then(ExactValue::as_fraction) {
+            match closed_form(limit, stride).and_then(ExactValue::as_fraction) {
                 Some(exact) => exact.clone(),
                 None => exactly(just_above(limit)),
             }

@@ -71,6 +71,8 @@ pub(super) struct Search<'a> {
     pub(super) end: Rational,
     /// The relative width of the ends that is asked for, as a power of one half.
     pub(super) bits: u32,
+    /// Up to this `t` everything is known to be stable.
+    known: Rational,
     critical: OnceCell<Option<CriticalPolynomials>>,
     touches: usize,
     pub(super) work: Work,
@@ -88,12 +90,19 @@ impl<'a> Search<'a> {
             form: MarginForm::new(margin).resolving(bits),
             compiled,
             guesses,
+            known: Rational::zero(),
             end,
             bits,
             critical: OnceCell::new(),
             touches: 0,
             work: Work::default(),
         }
+    }
+
+    /// Starts from a Courant number up to which stability is known.
+    pub(super) fn knowing(self, courant_number: &Rational) -> Self {
+        let t = courant_number.pow(self.margin.stride() as i32);
+        Self { known: t.min(self.end.clone()), ..self }
     }
 
     /// The polynomials whose roots are the critical values, if the data are exact and the cost is fair.
@@ -109,8 +118,9 @@ impl<'a> Search<'a> {
         let mut undecided = Vec::new();
         let mut immediately_unstable_phase = None;
         let mut from = Edge::zero();
+        let mut reached = self.known.clone();
         for _ in 0..MAX_STRETCHES {
-            let witness = match self.stable_stretch(&from.upper) {
+            let witness = match self.stable_stretch(&reached) {
                 Stretch::Continues => {
                     let to = Limit::beyond(max_courant, evidence);
                     let from = self.limit(&from, evidence);
@@ -118,22 +128,35 @@ impl<'a> Search<'a> {
                     break;
                 }
                 Stretch::Undecided(lower, upper) => {
-                    let open = self.courant_numbers(&lower, &upper);
-                    if lower > from.upper {
-                        let to = Limit::between(open.0, open.1, evidence);
-                        let from = self.limit(&from, evidence);
-                        intervals.push(StableInterval { from, to });
-                    }
                     // A sliver is stepped over; otherwise all of the rest is open.
                     let widest = LAST_WIDTH.min(self.bits);
                     let sliver = &upper - &lower <= &upper * power_of_half(widest);
-                    if sliver && lower > from.upper {
-                        undecided.push(open);
-                        from = Edge { lower: lower.clone(), upper, s: from.s };
-                        continue;
+                    let steps_over = sliver && lower > from.upper;
+                    let open =
+                        self.courant_numbers(&lower, if steps_over { &upper } else { &self.end });
+                    if lower > from.upper {
+                        // Nothing is known to grow above: an end of what is proved, not of what is stable.
+                        let to = Limit::between(open.0, open.1, Evidence::Undecided);
+                        let from = self.limit(&from, evidence);
+                        intervals.push(StableInterval { from, to });
                     }
-                    undecided.push((open.0, self.courant_numbers(&upper, &self.end).1));
-                    break;
+                    undecided.push(open);
+                    if !steps_over {
+                        break;
+                    }
+                    reached = upper.clone();
+                    from = Edge { lower, upper, s: from.s };
+                    continue;
+                }
+                Stretch::Empty(s) if reached > from.upper => {
+                    // Stable up to here, as was known, and not above.
+                    let edge =
+                        Edge { lower: reached.clone(), upper: reached.clone(), s: s.clone() };
+                    let (from_limit, to) =
+                        (self.limit(&from, evidence), self.limit(&edge, evidence));
+                    intervals.push(StableInterval { from: from_limit, to });
+                    from = edge;
+                    s
                 }
                 Stretch::Empty(s) => {
                     if from.upper.is_zero() {
@@ -157,6 +180,7 @@ impl<'a> Search<'a> {
                 }
                 (Some(edge), gaps) => {
                     undecided.extend(gaps);
+                    reached = edge.upper.clone();
                     from = edge;
                 }
             }
@@ -212,7 +236,10 @@ impl<'a> Search<'a> {
                 );
             }
             for lower in lowers {
-                if lower > *from && self.is_stable(from, &lower).is_ok() {
+                if lower > *from
+                    && self.is_unstable_just_above(&root.upper, &s)
+                    && self.is_stable(from, &lower).is_ok()
+                {
                     return Stretch::Ends(Edge { lower, upper: root.upper, s });
                 }
             }

@@ -144,6 +144,29 @@ fn printed_digits_are_those_of_the_limit() {
 }
 
 #[test]
+fn a_growth_budget_never_lowers_a_limit() {
+    for (scheme, l) in [
+        (AdvectionScheme::LaxWendroffSph, integer(5)),
+        (AdvectionScheme::GodunovSph, ratio(3, 2)),
+        (AdvectionScheme::GodunovSph, integer(7)),
+    ] {
+        let symbol = symbol(scheme, Kernel::CubicSpline, l.clone());
+        let strict = stable_set(&symbol, &integer(0), &integer(30)).limit();
+        let mut last = strict.lower();
+        for growth in ["1e-120", "1e-90", "1e-30", "1e-20", "1e-16", "1e-12"] {
+            let growth = crate::rational::parse(growth).unwrap();
+            let set = stable_set(&symbol, &growth, &integer(30));
+            let limit = set.limit();
+            assert!(set.undecided.is_empty(), "{scheme} {l} {growth}: {set:?}");
+            assert!(last <= limit.lower() && limit.evidence() == Evidence::Proved, "{limit:?}");
+            assert!(limit.upper() - limit.lower() <= 1e-6 * limit.lower(), "{limit:?}");
+            assert!(set.work.boxes < 20_000, "{scheme} {l} {growth}: {:?}", set.work);
+            last = limit.lower();
+        }
+    }
+}
+
+#[test]
 fn what_is_printed_may_be_used() {
     for (kernel, l) in [(Kernel::Gaussian, 1), (Kernel::Gaussian, 2), (Kernel::WendlandC2, 1)] {
         let of = Discretisation::new(AdvectionScheme::GodunovSph, kernel, integer(l)).unwrap();
