@@ -35,7 +35,7 @@ fn size(gain: f64) -> f64 {
 }
 
 /// Agreement asked for where a step multiplies waves by `gain` at most, relative to it: [`TOLERANCE`], or ten times
-/// the error that [`size`] leaves where that is more, from a gain of about 6000 on.
+/// the error that the size of the displacement leaves where that is more, from a gain of about 6000 on.
 pub fn tolerance(gain: f64) -> f64 {
     let size = size(gain);
     TOLERANCE.max(10.0 * ((gain * size).powi(2) + ROUNDING / size))
