@@ -4,8 +4,11 @@
 //! stable (no Bernstein coefficient of the margin is negative) or unstable (one phase whose margin is
 //! negative throughout), and a guess that does not stand is replaced by exact bisection.
 
+mod cells;
 mod edge;
 mod search;
+mod stable_stretch;
+mod unstable_stretch;
 
 use super::{Evidence, ExactValue, Limit};
 use crate::bernstein::Work;
