@@ -12,8 +12,8 @@ use courant::analysis::certificate::{
 };
 use courant::analysis::kernel::Kernel;
 use courant::analysis::limit::{
-    DEFAULT_BITS, Evidence, Limit, StableSet, monotonicity_limit, sampled_stability_limit,
-    stable_set_to,
+    DEFAULT_BITS, Evidence, Limit, StableSet, growth_set_beyond, monotonicity_limit,
+    sampled_stability_limit, stable_set_to,
 };
 use courant::analysis::rational::{Rational, decimal_below, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
@@ -204,12 +204,21 @@ fn answer(
     let budgets = budgets(arguments);
     Ok(Answer {
         stability,
-        set,
         monotonicity: monotonicity_limit(&symbol, &range),
         growth: budgets
             .iter()
-            .map(|g| (g.clone(), stable_set_to(&symbol, g, &range, bits(arguments)).limit()))
+            .map(|g| {
+                let bits = bits(arguments);
+                let found = match &set {
+                    Some(strict) if g.is_positive() => {
+                        growth_set_beyond(&symbol, g, &strict.limit(), &range, bits)
+                    }
+                    _ => stable_set_to(&symbol, g, &range, bits),
+                };
+                (g.clone(), found.limit())
+            })
             .collect(),
+        set,
         keeps_constants: symbol.keeps_constants(),
         discretisation,
     })

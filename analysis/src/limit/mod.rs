@@ -15,8 +15,8 @@ pub use monotonicity::monotonicity_limit;
 pub use pointwise::{PointVerdict, decide_at};
 pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
 pub use stability::{
-    DEFAULT_BITS, StableInterval, StableSet, growth_limit, stability_limit, stable_set,
-    stable_set_to,
+    DEFAULT_BITS, StableInterval, StableSet, growth_limit, growth_set_beyond, stability_limit,
+    stable_set, stable_set_to,
 };
 pub(crate) use stability::{MAX_BOXES, phase_of, phase_parameter, stable_set_of};
 

@@ -121,11 +121,22 @@ pub fn stable_set_to(
     if growth.is_zero() {
         return strict;
     }
-    // What does not grow at all does not grow too fast: only the rest is searched.
-    let known = strict.limit().certain_lower().unwrap_or_default();
-    let mut set = search(&Margin::new(symbol, growth), max_courant, &known, bits);
+    let mut set = growth_set_beyond(symbol, growth, &strict.limit(), max_courant, bits);
     set.work += strict.work;
     set
+}
+
+/// [`stable_set_to`] for a growth budget, when the strict limit is known: what does not grow at all does not grow too fast, and only the
+/// rest is searched.
+pub fn growth_set_beyond(
+    symbol: &EnclosedSymbol,
+    growth: &Rational,
+    strict: &Limit,
+    max_courant: &Rational,
+    bits: u32,
+) -> StableSet {
+    let known = strict.certain_lower().unwrap_or_default();
+    search(&Margin::new(symbol, growth), max_courant, &known, bits)
 }
 
 /// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
