@@ -2,13 +2,13 @@
 //!
 //! Run with `cargo run --example your_own_scheme`.
 
-use courant::analysis::consistency::consistency;
-use courant::analysis::limit::stability_limit;
-use courant::analysis::rational::{integer, ratio};
+use courant::analysis::exact::rational::{integer, ratio};
+use courant::analysis::exact::stencil::Stencil;
 use courant::analysis::scheme::Scheme;
-use courant::analysis::stencil::Stencil;
-use courant::analysis::symbol::{EnclosedSymbol, Symbol};
-use courant::analysis::verdict::check;
+use courant::analysis::scheme::symbol::{EnclosedSymbol, Symbol};
+use courant::analysis::stability::stability_limit;
+use courant::analysis::stability::verdict::check;
+use courant::analysis::waves::consistency::consistency;
 
 /// `u_i − C (u_i − u_{i−1}) − (C/4)(1 − C)(u_{i+1} − u_i − u_{i−1} + u_{i−2})`: Fromm 1968.
 struct Fromm;

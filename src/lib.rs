@@ -3,7 +3,7 @@
 //! This facade gathers the crates of the workspace under one name; `ARCHITECTURE.md` says what lives where.
 //!
 //! ```
-//! use courant::analysis::{kernel::Kernel, limit::stability_limit, rational::integer};
+//! use courant::analysis::{kernel::Kernel, stability::stability_limit, exact::rational::integer};
 //! use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 //! let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2))?;
 //! assert_eq!(stability_limit(&scheme.symbol(), &integer(10)).exact().unwrap().to_string(), "15/8");

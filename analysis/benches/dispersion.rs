@@ -10,14 +10,14 @@
 //! the multiply-add units but scalar square roots and divisions (14 cycles of issue per value, 9 ms) and
 //! 26 MB of fresh pages.
 
-use courant_analysis::dispersion::sweep::{
+use courant_analysis::exact::rational::{integer, ratio};
+use courant_analysis::kernel::Kernel;
+use courant_analysis::scheme::integrator::Integrator;
+use courant_analysis::waves::dispersion::sweep::{
     Quantity, even_axis, over_phase_ratio_and_viscosity, stable_step_map,
 };
-use courant_analysis::dispersion::{WaveMethod, WaveScheme, stable_step};
-use courant_analysis::integrator::Integrator;
-use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{integer, ratio};
-use courant_analysis::sweep::no_progress;
+use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme, stable_step};
+use courant_analysis::waves::sweep::no_progress;
 use criterion::Criterion;
 use std::hint::black_box;
 

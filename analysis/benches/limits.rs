@@ -4,10 +4,10 @@
 //! polynomial 0.9 ms at ratio 5/2 and 5.8 ms at 41/10.
 
 use courant_analysis::certificate::{certify_stability, verify};
+use courant_analysis::exact::rational::{integer, ratio};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::{monotonicity_limit, stable_set};
-use courant_analysis::rational::{integer, ratio};
 use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant_analysis::stability::{monotonicity_limit, stable_set};
 use criterion::Criterion;
 use std::hint::black_box;
 

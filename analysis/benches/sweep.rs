@@ -13,10 +13,10 @@
 //! Counting the five operations above only, that is 3 % and 1.5 % of the multiply–add peak of both cores. The rest of the
 //! time goes into the refinement and the exact symbols; this bench does not separate the two.
 
+use courant_analysis::exact::rational::{Rational, ratio};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{Rational, ratio};
 use courant_analysis::scheme::AdvectionScheme;
-use courant_analysis::sweep::{gain_map, no_progress};
+use courant_analysis::waves::sweep::{gain_map, no_progress};
 use criterion::{Criterion, Throughput};
 
 fn figure_1(criterion: &mut Criterion) {

@@ -4,10 +4,10 @@
 //! when no sample comes near enough to one for a maximum to hide between two samples. It must never contradict the
 //! proof.
 
-use courant_analysis::limit::stable_set;
-use courant_analysis::rational::{Rational, from_f64, integer, ratio, to_f64};
-use courant_analysis::stencil::Stencil;
-use courant_analysis::symbol::{EnclosedSymbol, Symbol};
+use courant_analysis::exact::rational::{Rational, from_f64, integer, ratio, to_f64};
+use courant_analysis::exact::stencil::Stencil;
+use courant_analysis::scheme::symbol::{EnclosedSymbol, Symbol};
+use courant_analysis::stability::stable_set;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;

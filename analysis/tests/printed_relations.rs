@@ -1,9 +1,10 @@
 //! The relations of Cha & Whitworth 2003, section 4, evaluated as they are printed, term by term in
 //! complex numbers, against the library.
 
-use courant_analysis::dispersion::{Density, Form, LatticeSums, WaveMethod, WaveScheme};
+use courant_analysis::exact::rational::{integer, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{integer, ratio, to_f64};
+use courant_analysis::kernel::{Density, LatticeSums};
+use courant_analysis::waves::dispersion::{Form, WaveMethod, WaveScheme};
 use num_complex::Complex64;
 
 /// `M = Δ = ρ0 = c = 1`, as the paper's figures have it.
@@ -109,7 +110,7 @@ fn long_waves_are_sound_only_where_the_lattice_sums_are_consistent() {
         let sums = LatticeSums::new(Kernel::CubicSpline, &ratio(numerator, 100), density).unwrap();
         let scheme = WaveScheme::with_sums(WaveMethod::Sph, sums);
         let omega = scheme.compile().mode(1e-4).frequencies().forward;
-        courant_analysis::dispersion::phase_error(omega, 1e-4)
+        courant_analysis::waves::dispersion::phase_error(omega, 1e-4)
     };
     assert!(error(100, Density::MassPerSpacing) < 1e-8);
     for density in [Density::MassPerSpacing, Density::Summation] {

@@ -2,10 +2,10 @@
 //! linearised by finite differences. It shares the kernel with the library and nothing else: no lattice
 //! sums, no formulas, no integrators.
 
-use courant_analysis::dispersion::{Form, Mode, WaveMethod, WaveScheme};
-use courant_analysis::integrator::Integrator;
+use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{Rational, integer, ratio, to_f64};
+use courant_analysis::scheme::integrator::Integrator;
+use courant_analysis::waves::dispersion::{Form, Mode, WaveMethod, WaveScheme};
 use num_complex::Complex64;
 
 /// Particles on the ring; mass, spacing and sound speed are 1.

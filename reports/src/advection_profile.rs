@@ -3,7 +3,7 @@
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
-use courant_analysis::rational::{Rational, to_text};
+use courant_analysis::exact::rational::{Rational, to_text};
 use courant_simulation::advection::{AdvectionRun, Layout, Outcome, RunPlan};
 use serde::Serialize;
 use std::fmt::Write;
@@ -182,8 +182,8 @@ pub fn profile_figure(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use courant_analysis::exact::rational::integer;
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::rational::integer;
     use courant_analysis::scheme::AdvectionScheme;
     use courant_simulation::advection::{Method, Scene, run};
 

@@ -1,9 +1,9 @@
 //! Predicted against measured for the advection schemes: which cases to run, and the answer as JSON.
 
 use crate::number::finite;
-use courant_analysis::limit::{stability_limit, stable_set};
-use courant_analysis::rational::{Rational, from_f64, integer, to_f64, to_text};
+use courant_analysis::exact::rational::{Rational, from_f64, integer, to_f64, to_text};
 use courant_analysis::scheme::{Discretisation, Scheme, search_range};
+use courant_analysis::stability::{stability_limit, stable_set};
 use courant_simulation::advection::{
     Fault, ModeRow, PathKind, Validation, ValidationError, ValidationPlan, validate,
 };
@@ -304,8 +304,8 @@ fn mode_record(case: &ValidatedCase, row: &ModeRow) -> ModeRecord {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use courant_analysis::exact::rational::ratio;
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::rational::ratio;
     use courant_analysis::scheme::AdvectionScheme;
 
     fn discretisation(scheme: AdvectionScheme) -> Discretisation {

@@ -100,8 +100,8 @@ pub fn verify_file(path: &Path) -> Result<Vec<Verified>, CertificateFileError> {
 mod tests {
     use super::*;
     use courant_analysis::certificate::certify_stability;
+    use courant_analysis::exact::rational::integer;
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::rational::integer;
     use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 
     #[test]

@@ -1,6 +1,6 @@
 //! Numbers as people and scripts read them.
 
-use courant_analysis::rational::{parse, to_text};
+use courant_analysis::exact::rational::{parse, to_text};
 
 /// A number for JSON, which has none that is not finite.
 pub fn finite(value: f64) -> Option<f64> {

@@ -1,15 +1,15 @@
 //! Dispersion relations against running particles: the step of every particle method, mode by mode.
 //!
-//! The prediction is [`courant_analysis::dispersion`]'s relation put through the algorithm of the integrator. The
+//! The prediction is [`courant_analysis::waves::dispersion`]'s relation put through the algorithm of the integrator. The
 //! measurement is the step of [`courant_simulation::particles`] on a ring, differentiated by finite differences, or a
 //! wave of small amplitude followed for many steps. The two share the kernel's shape and nothing else.
 
 use crate::number::significant;
-use courant_analysis::dispersion::{Mode, WaveMethod, WaveScheme};
-use courant_analysis::integrator::Integrator;
+use courant_analysis::exact::rational::{Rational, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::lattice::RatioOutOfRange;
-use courant_analysis::rational::{Rational, to_f64};
+use courant_analysis::kernel::lattice::RatioOutOfRange;
+use courant_analysis::scheme::integrator::Integrator;
+use courant_analysis::waves::dispersion::{Mode, WaveMethod, WaveScheme};
 use courant_simulation::particles::{
     ActsOn, Amplification, Godunov, IsothermalGas, OwnKernels, PairForce, ParticleMethod,
     PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity,
@@ -304,10 +304,10 @@ impl ParticleCase {
 /// Compares the step of every running method with the relation, for all modes up to the shortest wave.
 ///
 /// ```
-/// use courant_analysis::dispersion::{Form, WaveMethod};
-/// use courant_analysis::{kernel::Kernel, rational::ratio};
+/// use courant_analysis::waves::dispersion::{Form, WaveMethod};
+/// use courant_analysis::{kernel::Kernel, exact::rational::ratio};
 /// use courant_reports::particle_validation::{ParticleCase, validate_particles};
-/// use courant_analysis::integrator::Integrator;
+/// use courant_analysis::scheme::integrator::Integrator;
 /// let case = |form| ParticleCase {
 ///     method: WaveMethod::Gph { form },
 ///     kernel: Kernel::CubicSpline,

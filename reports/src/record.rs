@@ -1,11 +1,11 @@
 //! Results as the JSON objects that scripts rely on. The keys are a contract: add, do not rename.
 
 use crate::number::{finite, significant};
-use courant_analysis::consistency::consistency;
-use courant_analysis::limit::{Evidence, Limit, StableSet};
-use courant_analysis::rational::{to_f64, to_latex, to_text};
+use courant_analysis::exact::rational::{to_f64, to_latex, to_text};
 use courant_analysis::scheme::{Discretisation, Scheme};
-use courant_analysis::verdict::Check;
+use courant_analysis::stability::verdict::Check;
+use courant_analysis::stability::{Evidence, Limit, StableSet};
+use courant_analysis::waves::consistency::consistency;
 use serde::Serialize;
 
 /// A limit. A number that is not finite is `null`, and `reason` says why.

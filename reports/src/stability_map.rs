@@ -5,11 +5,11 @@ use crate::figure::{
     Marker, Markers, Panel, Side,
 };
 use crate::npy;
+use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::{Evidence, monotonicity_limit, stable_set};
-use courant_analysis::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
-use courant_analysis::sweep::{GainMap, Progress, SweepError, gain_map};
+use courant_analysis::stability::{Evidence, monotonicity_limit, stable_set};
+use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, gain_map};
 use ndarray::Array2;
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -329,8 +329,8 @@ pub struct PublishedPoint {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_analysis::rational::integer;
-    use courant_analysis::sweep::no_progress;
+    use courant_analysis::exact::rational::integer;
+    use courant_analysis::waves::sweep::no_progress;
 
     #[test]
     fn the_limit_curve_breaks_where_nothing_is_strictly_stable() {

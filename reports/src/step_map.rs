@@ -5,11 +5,11 @@ use crate::figure::{
     Side,
 };
 use crate::npy;
-use courant_analysis::dispersion::WaveScheme;
-use courant_analysis::dispersion::sweep::stable_step_map;
-use courant_analysis::integrator::Integrator;
-use courant_analysis::rational::{Rational, to_f64};
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::exact::rational::{Rational, to_f64};
+use courant_analysis::scheme::integrator::Integrator;
+use courant_analysis::waves::dispersion::WaveScheme;
+use courant_analysis::waves::dispersion::sweep::stable_step_map;
+use courant_analysis::waves::sweep::{Progress, SweepError};
 use ndarray::Array2;
 
 /// Time steps `c Δt/h` are looked at up to this one: no integrator here comes near it from `h = Δ/2` on.
@@ -110,10 +110,10 @@ impl StepMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_analysis::dispersion::WaveMethod;
+    use courant_analysis::exact::rational::integer;
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::rational::integer;
-    use courant_analysis::sweep::no_progress;
+    use courant_analysis::waves::dispersion::WaveMethod;
+    use courant_analysis::waves::sweep::no_progress;
 
     #[test]
     fn steps_are_limits() {

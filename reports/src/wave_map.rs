@@ -5,12 +5,12 @@ use crate::figure::{
     Panel, Region, Side,
 };
 use crate::npy;
-use courant_analysis::dispersion::WaveScheme;
-use courant_analysis::dispersion::sweep::{
+use courant_analysis::exact::rational::{Rational, to_f64};
+use courant_analysis::waves::dispersion::WaveScheme;
+use courant_analysis::waves::dispersion::sweep::{
     Quantity, over_phase_and_ratio, over_phase_and_viscosity,
 };
-use courant_analysis::rational::{Rational, to_f64};
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::waves::sweep::{Progress, SweepError};
 use ndarray::Array2;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -45,8 +45,8 @@ pub struct WaveMap {
 /// The phase error over `(κ, h)`; of `scheme` all but the ratio is used.
 ///
 /// ```
-/// use courant_analysis::dispersion::{WaveMethod, WaveScheme};
-/// use courant_analysis::{kernel::Kernel, rational::integer, sweep::no_progress};
+/// use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme};
+/// use courant_analysis::{kernel::Kernel, exact::rational::integer, waves::sweep::no_progress};
 /// use courant_reports::wave_map::phase_error_map;
 /// let scheme = WaveScheme::new(WaveMethod::Sph, Kernel::CubicSpline, &integer(1))?;
 /// let map = phase_error_map(&scheme, &[1.0, 2.0], &[integer(1), integer(2)], &no_progress)?;
@@ -265,10 +265,10 @@ fn regions(field: &Field, level: f64) -> impl Iterator<Item = Region> + use<> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_analysis::dispersion::{Frequencies, Regime, WaveMethod};
+    use courant_analysis::exact::rational::{integer, ratio};
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::rational::{integer, ratio};
-    use courant_analysis::sweep::no_progress;
+    use courant_analysis::waves::dispersion::{Frequencies, Regime, WaveMethod};
+    use courant_analysis::waves::sweep::no_progress;
 
     fn scheme(method: WaveMethod, kernel: Kernel) -> WaveScheme {
         WaveScheme::new(method, kernel, &ratio(6, 5)).unwrap()

@@ -1,8 +1,8 @@
 //! Every kernel, method and integrator: the running particle step against the fully discrete dispersion relation.
 
-use courant_analysis::dispersion::{Form, WaveMethod};
+use courant_analysis::exact::rational::{Rational, integer, ratio};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{Rational, integer, ratio};
+use courant_analysis::waves::dispersion::{Form, WaveMethod};
 use courant_reports::particle_validation::{
     ParticleCase, ParticleValidationError, TOLERANCE, codes, follow_wave, validate_particles,
 };

@@ -5,12 +5,13 @@ use super::output::{Format, print, print_json, table_text};
 use super::waves::{self, DensityName, MethodName};
 use super::{Failure, Outcome, names};
 use clap::{Args, ValueEnum};
-use courant::analysis::dispersion::{
-    AmplitudeTime, Branch, Form, LatticeSums, WaveMethod, WaveScheme, amplitude, phase_error,
-};
-use courant::analysis::integrator::Integrator;
+use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::{Rational, integer, to_f64, to_text};
+use courant::analysis::kernel::LatticeSums;
+use courant::analysis::scheme::integrator::Integrator;
+use courant::analysis::waves::dispersion::{
+    AmplitudeTime, Branch, Form, WaveMethod, WaveScheme, amplitude, phase_error,
+};
 use courant::reports::number::{finite, significant};
 use courant::reports::table::{Align, Table};
 use num_traits::Signed;
@@ -130,7 +131,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(text) => print(&text),
         None => {
             let units = "kappa in radians per spacing Δ, omega in c/Δ, amplitude at t = Δ/c";
-            let density = courant::analysis::dispersion::Density::from(arguments.density).formula();
+            let density = courant::analysis::kernel::Density::from(arguments.density).formula();
             print_json("dispersion", &Rows { units, density, rows })
         }
     }
@@ -219,7 +220,7 @@ fn table(arguments: &Arguments, rows: &[Row]) -> Table {
     let caption = format!(
         "Waves of {method}, {}, {}{stepped}; κ in radians per spacing, ω in c/Δ, amplitude at t = Δ/c",
         arguments.kernel.title(),
-        courant::analysis::dispersion::Density::from(arguments.density).formula(),
+        courant::analysis::kernel::Density::from(arguments.density).formula(),
     );
     let mut table = Table::new(
         caption,

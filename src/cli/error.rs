@@ -1,7 +1,7 @@
 //! What can go wrong, as one clear line each.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use courant::analysis::dispersion::NoSchemeRuns;
+use courant::analysis::waves::dispersion::NoSchemeRuns;
 use courant::reports::ferrari2008::ReportError;
 use courant::reports::figure::FigureError;
 use courant::reports::page::PageError;

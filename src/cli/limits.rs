@@ -10,13 +10,13 @@ use clap::Args;
 use courant::analysis::certificate::{
     Certificate, CertificationError, certify_monotonicity, certify_stability,
 };
+use courant::analysis::exact::rational::{Rational, decimal_below, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::limit::{
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
+use courant::analysis::stability::{
     DEFAULT_BITS, Evidence, Limit, StableSet, growth_set_beyond, monotonicity_limit,
     sampled_stability_limit, stable_set_to,
 };
-use courant::analysis::rational::{Rational, decimal_below, to_f64, to_text};
-use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
 use courant::reports::certificate_file;
 use courant::reports::number::{finite, significant};
 use courant::reports::record::{

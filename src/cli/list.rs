@@ -4,9 +4,9 @@ use super::output::{Format, print, print_json, table_text};
 use super::waves::MethodName;
 use super::{Failure, Outcome, run};
 use clap::{Args, ValueEnum};
-use courant::analysis::integrator::Integrator;
 use courant::analysis::kernel::Kernel;
 use courant::analysis::scheme::AdvectionScheme;
+use courant::analysis::scheme::integrator::Integrator;
 use courant::reports::table::{Align, Table};
 use serde::Serialize;
 

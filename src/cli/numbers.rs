@@ -1,7 +1,7 @@
 //! Numbers, lists and ranges, read exactly: `1,2,3`, `1:10:0.5` (inclusive), `3/2`.
 
-use courant::analysis::lattice::MAX_RATIO;
-use courant::analysis::rational::{Rational, integer, parse, to_text};
+use courant::analysis::exact::rational::{Rational, integer, parse, to_text};
+use courant::analysis::kernel::lattice::MAX_RATIO;
 use num_traits::{Signed, ToPrimitive};
 use std::collections::HashSet;
 
@@ -203,7 +203,7 @@ pub fn count(text: &str, least: usize, most: usize) -> Result<usize, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant::analysis::rational::ratio as fraction;
+    use courant::analysis::exact::rational::ratio as fraction;
 
     #[test]
     fn lists_and_ranges_are_exact_and_inclusive() {

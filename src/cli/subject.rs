@@ -3,11 +3,11 @@
 use super::waves::{self, MethodName};
 use super::{Failure, names};
 use clap::Args;
-use courant::analysis::dispersion::{Form, WaveMethod, WaveScheme};
-use courant::analysis::integrator::Integrator;
+use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::{Rational, to_f64, to_text};
 use courant::analysis::scheme::AdvectionScheme;
+use courant::analysis::scheme::integrator::Integrator;
+use courant::analysis::waves::dispersion::{Form, WaveMethod, WaveScheme};
 use serde::Serialize;
 
 /// The options that name it: `--scheme`, or `--method` and `--integrator`.

@@ -3,8 +3,8 @@
 use super::output::{Format, print, print_json, table_text};
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
+use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::Rational;
 use courant::analysis::scheme::{AdvectionScheme, Discretisation};
 use courant::reports::record::SymbolRecord;
 use courant::reports::table::{Align, Table};

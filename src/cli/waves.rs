@@ -2,9 +2,10 @@
 
 use super::{Failure, names};
 use clap::ValueEnum;
-use courant::analysis::dispersion::{Density, Form, WaveMethod};
-use courant::analysis::integrator::Integrator;
-use courant::analysis::rational::{Rational, integer, to_text};
+use courant::analysis::exact::rational::{Rational, integer, to_text};
+use courant::analysis::kernel::Density;
+use courant::analysis::scheme::integrator::Integrator;
+use courant::analysis::waves::dispersion::{Form, WaveMethod};
 use num_traits::Signed;
 
 /// The largest coefficient of viscosity that is looked at.

@@ -1,6 +1,6 @@
 //! Exact numbers as text: `-15/8`, `3`.
 
-use crate::rational::{Rational, to_text};
+use crate::exact::rational::{Rational, to_text};
 use num_bigint::BigInt;
 use num_traits::Zero;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// has one spelling only.
 ///
 /// ```
-/// use courant_analysis::{certificate::Exact, rational::ratio};
+/// use courant_analysis::{certificate::Exact, exact::rational::ratio};
 /// assert_eq!(Exact::read("-15/8"), Some(Exact(ratio(-15, 8))));
 /// assert_eq!(Exact::read("30/16"), None);
 /// ```

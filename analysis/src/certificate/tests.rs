@@ -1,9 +1,9 @@
 use super::*;
+use crate::exact::rational::{Rational, integer, ratio};
+use crate::exact::stencil::Stencil;
 use crate::kernel::Kernel;
-use crate::rational::{Rational, integer, ratio};
+use crate::scheme::symbol::{EnclosedSymbol, Symbol};
 use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-use crate::stencil::Stencil;
-use crate::symbol::{EnclosedSymbol, Symbol};
 use serde_json::Value;
 
 fn scheme(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> Discretisation {
@@ -63,7 +63,7 @@ fn every_kernel_and_scheme_is_derived_again_by_the_checker() {
 #[test]
 fn growth_budgets_are_certified() {
     for growth in ["1e-6", "1e-3"] {
-        let growth = crate::rational::parse(growth).unwrap();
+        let growth = crate::exact::rational::parse(growth).unwrap();
         let scheme = scheme(LaxWendroffSph, Kernel::Gaussian, integer(3));
         for certificate in stability(&scheme, &growth) {
             verify(&certificate).unwrap();
@@ -203,9 +203,9 @@ fn a_fraction_that_an_interior_wave_sets_is_certified_as_an_enclosure() {
     let times = |value: i64| Stencil::term(0, integer(value));
     let damping = times(1) + square * times(4) + fourth * times(-4);
     let symbol = EnclosedSymbol::exact(Symbol::identity() - Symbol::courant_power(1, damping));
-    let limit = crate::limit::stability_limit(&symbol, &integer(9));
+    let limit = crate::stability::stability_limit(&symbol, &integer(9));
     assert_eq!(limit.exact().unwrap().to_string(), "1");
-    assert_eq!(limit.cause(), Some(crate::limit::Cause::Interior));
+    assert_eq!(limit.cause(), Some(crate::stability::Cause::Interior));
     let certificates = certify_stability(&symbol, None, &integer(0), &integer(9)).unwrap();
     verify(&certificates[0]).unwrap();
     let Proof::Stability(proof) = &certificates[0].proof else { panic!("a limit of stability") };

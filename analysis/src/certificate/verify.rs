@@ -11,7 +11,7 @@ mod stability;
 mod subject;
 
 use super::{Certificate, CertifiedLimit, CertifiedSymbol, Exact, Proof};
-use crate::rational::{Rational, integer};
+use crate::exact::rational::{Rational, integer};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 use thiserror::Error;

@@ -4,14 +4,19 @@
 //! (fast `f64` evaluation). The shape `w` and its derivatives are with respect to `q`, so that
 //! `∂W/∂|x| = w'(q)/l²` and `∂²W/∂x² = w''(q)/l³`.
 
+mod density;
 mod gaussian;
+pub mod lattice;
+mod lattice_sums;
 mod piecewise;
 
+pub use density::{Density, Enclosure, UnknownDensity, relative_density};
 pub use gaussian::GAUSSIAN_CUT;
+pub use lattice_sums::{CompiledSums, LatticeSums, SumValues};
 pub use piecewise::{Piece, PiecewisePolynomial};
 
-use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer, ratio, to_f64};
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, integer, ratio, to_f64};
 use num_traits::Zero;
 use std::sync::LazyLock;
 

@@ -1,7 +1,7 @@
 //! Piecewise polynomials in `q`, exact and compiled for fast evaluation in `f64`.
 
-use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer, ratio, to_f64};
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, integer, ratio, to_f64};
 use num_traits::Zero;
 
 /// One polynomial on `[previous piece's end, end]`.

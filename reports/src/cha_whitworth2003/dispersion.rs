@@ -10,10 +10,11 @@ use super::{COMMAND, Detail, ReportError};
 use crate::CatalogueItem;
 use crate::figure::Figure;
 use crate::page::{Item, Publish, Section};
-use courant_analysis::dispersion::{Density, LatticeSums, WaveMethod, WaveScheme};
+use courant_analysis::exact::rational::{Rational, ratio};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{Rational, ratio};
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::kernel::{Density, LatticeSums};
+use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme};
+use courant_analysis::waves::sweep::{Progress, SweepError};
 use std::f64::consts::PI;
 
 /// What these sections show.
@@ -110,7 +111,7 @@ fn figure_item(name: &str, figure: Figure, caption: String, data: Vec<(String, V
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_analysis::sweep::no_progress;
+    use courant_analysis::waves::sweep::no_progress;
 
     #[test]
     fn the_sections_show_what_the_catalogue_names_with_the_true_numbers() {

@@ -7,7 +7,7 @@ pub mod particle_tests;
 pub use crate::ferrari2008::{Detail, ReportError};
 
 use crate::page::Publish;
-use courant_analysis::sweep::Progress;
+use courant_analysis::waves::sweep::Progress;
 
 /// The command that makes this report.
 pub const COMMAND: &str = "courant report cha-whitworth2003";

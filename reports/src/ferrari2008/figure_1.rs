@@ -7,10 +7,10 @@ use crate::page::Item;
 use crate::stability_map::{
     COLOR_BAR_LABEL, MapPlan, PublishedLimit, PublishedPoint, StabilityMap, bands, stability_map,
 };
+use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{Rational, integer, ratio, to_f64};
 use courant_analysis::scheme::AdvectionScheme;
-use courant_analysis::sweep::Progress;
+use courant_analysis::waves::sweep::Progress;
 use std::ops::ControlFlow;
 
 const KERNELS: [Kernel; 2] = [Kernel::CubicSpline, Kernel::Gaussian];

@@ -12,7 +12,7 @@ pub use table_1::{Entry, LimitKind, PublishedValue, Table1, published_values, re
 
 use crate::CatalogueItem;
 use crate::page::{Item, PageError, Publish, Section};
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::waves::sweep::{Progress, SweepError};
 
 /// How much of the report to make.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,11 +7,11 @@ use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Publish, Section};
 use crate::table::{Align, Table};
+use courant_analysis::exact::rational::{Rational, parse, ratio, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::{AccuracyRow, accuracy_study, stability_limit, stable_set};
-use courant_analysis::rational::{Rational, parse, ratio, to_text};
+use courant_analysis::scheme::symbol::EnclosedSymbol;
 use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
-use courant_analysis::symbol::EnclosedSymbol;
+use courant_analysis::stability::{AccuracyRow, accuracy_study, stability_limit, stable_set};
 use num_traits::Zero;
 use std::time::Instant;
 
@@ -133,9 +133,10 @@ fn cost_table(detail: Detail) -> Item {
                 let proof = start.elapsed();
                 let limit = set.limit();
                 let (sampling, error) = if limit.is_positive() {
-                    let phases = courant_analysis::limit::phase_grid(std::f64::consts::PI / 1024.0);
+                    let phases =
+                        courant_analysis::stability::phase_grid(std::f64::consts::PI / 1024.0);
                     let start = Instant::now();
-                    let sampled = courant_analysis::limit::sampled_stability_limit(
+                    let sampled = courant_analysis::stability::sampled_stability_limit(
                         &symbol,
                         &phases,
                         &search_range(&l),

@@ -3,15 +3,15 @@
 use crate::number::significant;
 use crate::record::exact_latex;
 use crate::table::{Align, Cell, Table};
-use courant_analysis::growth::PhaseTable;
+use courant_analysis::exact::rational::{Rational, integer, parse, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::{
+use courant_analysis::scheme::symbol::EnclosedSymbol;
+use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant_analysis::stability::margin::Margin;
+use courant_analysis::stability::{
     ExactValue, Limit, monotonicity_limit, phase_grid, sampled_stability_limit, stability_limit,
 };
-use courant_analysis::margin::Margin;
-use courant_analysis::rational::{Rational, integer, parse, to_f64};
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-use courant_analysis::symbol::EnclosedSymbol;
+use courant_analysis::waves::growth::PhaseTable;
 use num_traits::Zero;
 
 /// The phases the paper must have used, in radians: every value of its stability rows follows from this

@@ -6,8 +6,8 @@ use super::modes::RingModes;
 use super::random::SplitMix64;
 use super::ring::{Ring, RingError};
 use super::stepper::{PathKind, Stepper};
+use courant_analysis::scheme::symbol::Symbol;
 use courant_analysis::scheme::{Discretisation, Scheme};
-use courant_analysis::symbol::Symbol;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -178,7 +178,7 @@ fn tolerance(symbol: &Symbol<f64>, courant_number: f64, particles: usize) -> f64
 /// The ring has spacing 1, so that distances between particles are exact.
 ///
 /// ```
-/// use courant_analysis::{kernel::Kernel, rational::ratio};
+/// use courant_analysis::{kernel::Kernel, exact::rational::ratio};
 /// use courant_analysis::scheme::{AdvectionScheme, Discretisation};
 /// use courant_simulation::advection::{validate, PathKind, ValidationPlan};
 /// let plan = ValidationPlan {

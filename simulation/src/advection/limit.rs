@@ -4,9 +4,9 @@ use super::growth::{Growth, GrowthPlan, GrowthVerdict, measure_growth, seed_with
 use super::lattice_path::LatticePath;
 use super::method::Method;
 use super::modes::RingModes;
-use courant_analysis::limit::{Limit, sampled_stability_limit, stability_limit};
-use courant_analysis::rational::Rational;
+use courant_analysis::exact::rational::Rational;
 use courant_analysis::scheme::{Discretisation, Scheme};
+use courant_analysis::stability::{Limit, sampled_stability_limit, stability_limit};
 
 /// The seed of the noise that runs start from.
 const SEED: u64 = 20_080_101;
@@ -119,7 +119,7 @@ pub fn compare_limits(
     let modes = RingModes::new(particles);
     let phases: Vec<f64> = (0..modes.count()).map(|mode| modes.phase(mode)).collect();
     let ring = sampled_stability_limit(&symbol, &phases, max_courant).value();
-    let end = courant_analysis::rational::to_f64(max_courant);
+    let end = courant_analysis::exact::rational::to_f64(max_courant);
     let bracket = if ring > 0.0 { (0.98 * ring, (1.02 * ring).min(end)) } else { (0.0, end) };
     let measured = measured_stability_limit(discretisation, particles, bracket, resolution, plan)?;
     Ok(LimitComparison { proved, ring, measured, particles })

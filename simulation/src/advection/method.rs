@@ -1,8 +1,8 @@
 //! What is stepped: scheme, kernel, smoothing ratio and Courant number.
 
+use courant_analysis::exact::rational::to_f64;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::lattice::MAX_RATIO;
-use courant_analysis::rational::to_f64;
+use courant_analysis::kernel::lattice::MAX_RATIO;
 use courant_analysis::scheme::{AdvectionScheme, Discretisation};
 
 /// A scheme with all its numbers, `Δξ` being the (mean) spacing.

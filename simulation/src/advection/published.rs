@@ -3,8 +3,8 @@
 use super::amplification::fit_mode;
 use super::lattice_path::LatticePath;
 use super::method::Method;
+use courant_analysis::scheme::symbol::Symbol;
 use courant_analysis::scheme::{Discretisation, Scheme};
-use courant_analysis::symbol::Symbol;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 

@@ -1,5 +1,5 @@
 //! The running scheme near a uniform state: its amplification measured, to be held against
-//! [`courant_analysis::lagrangian`].
+//! [`courant_analysis::scheme::lagrangian`].
 
 use super::{LagrangianOptions, LagrangianScheme, LagrangianState};
 use crate::riemann::{IdealGas, State};
@@ -259,9 +259,9 @@ pub struct PlaneWave {
 mod tests {
     use super::*;
     use crate::lagrangian::flux::{ContactViscosity, Flux, ModifiedRoe, RoeMean};
+    use courant_analysis::exact::rational::{Rational, from_f64, ratio};
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::lagrangian::{CharacteristicWave, LinearLagrangianScheme};
-    use courant_analysis::rational::{Rational, from_f64, ratio};
+    use courant_analysis::scheme::lagrangian::{CharacteristicWave, LinearLagrangianScheme};
 
     fn flow() -> UniformFlow {
         // A uniform state with nothing equal to 1 or 0.
@@ -293,7 +293,7 @@ mod tests {
             for (flux, viscosity) in fluxes() {
                 let options = LagrangianOptions {
                     kernel,
-                    ratio: courant_analysis::rational::to_f64(&l),
+                    ratio: courant_analysis::exact::rational::to_f64(&l),
                     ..LagrangianOptions::new(flux)
                 };
                 let exact = from_f64(viscosity).expect("finite");

@@ -10,7 +10,7 @@ use crate::run::Reason;
 
 /// The integrators of the linear analysis: `v' = v + dt Σ b_k a_k` with the rates of each stage; positions and
 /// energies follow in [`Stepper::step`].
-pub use courant_analysis::integrator::Integrator;
+pub use courant_analysis::scheme::integrator::Integrator;
 
 /// `(c, b)` of each stage: it starts `c·dt` along the rates of the stage before, and its own
 /// rates enter the step with weight `b`.

@@ -1,7 +1,7 @@
 //! A kernel of the analysis, normalised in `D` dimensions.
 
+use courant_analysis::exact::rational::to_f64;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::to_f64;
 use std::f64::consts::PI;
 
 /// What a pair force may ask of a kernel: it sees distances, never the dimension.

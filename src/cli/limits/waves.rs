@@ -6,10 +6,10 @@ use super::{
 };
 use crate::cli::subject::{SteppedMethod, SteppedRecord};
 use crate::cli::{Failure, Outcome};
-use courant::analysis::dispersion::{StableStep, StepEnd, stable_step, stable_step_within};
+use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::limit::Limit;
-use courant::analysis::rational::{Rational, integer, to_f64, to_text};
+use courant::analysis::stability::Limit;
+use courant::analysis::waves::dispersion::{StableStep, StepEnd, stable_step, stable_step_within};
 use courant::reports::number::{finite, significant};
 use courant::reports::record::{EquationRecord, GrowthRecord, IntervalRecord, LimitRecord};
 use courant::reports::table::{Align, Cell, Table};

@@ -2,8 +2,8 @@
 
 use crate::cli::{Failure, numbers, waves};
 use clap::{Args, ValueEnum};
-use courant::analysis::integrator::Integrator;
-use courant::analysis::rational::{Rational, to_f64};
+use courant::analysis::exact::rational::{Rational, to_f64};
+use courant::analysis::scheme::integrator::Integrator;
 use courant::simulation::lagrangian::flux::{ContactViscosity, ModifiedRoe, RoeMean};
 use courant::simulation::particles::SolverChoice;
 

@@ -4,7 +4,7 @@ use super::tube_file::{self, TubeFile};
 use super::{Arguments, Entry, Family};
 use crate::cli::output::{Format, print, print_record};
 use crate::cli::{Failure, Outcome, names};
-use courant::analysis::rational::{Rational, to_f64, to_text};
+use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::reports::gas_run;
 use courant::reports::number::{exact_text, significant};
 use courant::reports::publish::OutputDirectory;

@@ -9,8 +9,8 @@ mod tube_file;
 use super::output::Format;
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
+use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::Rational;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]

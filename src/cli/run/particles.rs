@@ -3,8 +3,8 @@
 use super::{Arguments, Entry, Family};
 use crate::cli::output::{Format, print, print_record};
 use crate::cli::{Failure, Outcome, names};
+use courant::analysis::exact::rational::{to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::{to_f64, to_text};
 use courant::reports::number::{exact_text, finite, significant};
 use courant::reports::particle_profile::{exact_solution_holds, profile_csv, profile_figure};
 use courant::reports::publish::OutputDirectory;

@@ -4,8 +4,8 @@ use super::Arguments;
 use crate::cli::output::{Format, print, print_json, table_text};
 use crate::cli::progress::Bar;
 use crate::cli::{Failure, Outcome};
+use courant::analysis::exact::rational::{integer, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::{integer, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation};
 use courant::reports::advection_validation::{
     Settings, ValidatedCase, ValidationCase, ValidationRecord, run_cases,

@@ -8,8 +8,8 @@ use super::output::Format;
 use super::waves::MethodName;
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
+use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::Rational;
 use courant::analysis::scheme::AdvectionScheme;
 
 #[derive(Debug, Args)]

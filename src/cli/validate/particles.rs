@@ -7,10 +7,10 @@ use crate::cli::output::{Format, print, print_json, table_text};
 use crate::cli::waves::{self, MethodName};
 use crate::cli::{Failure, Outcome};
 use clap::Args;
-use courant::analysis::dispersion::{Form, WaveMethod};
-use courant::analysis::integrator::Integrator;
+use courant::analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::rational::{Rational, ratio, to_f64, to_text};
+use courant::analysis::scheme::integrator::Integrator;
+use courant::analysis::waves::dispersion::{Form, WaveMethod};
 use courant::reports::advection_validation::FactorRecord;
 use courant::reports::number::{finite, significant};
 use courant::reports::particle_validation::{

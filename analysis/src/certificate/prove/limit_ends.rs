@@ -1,8 +1,8 @@
 //! The ends of a limit in `t = C^stride`, and the numbers just beyond them.
 
 use super::super::{CertifiedLimit, Exact};
-use crate::limit::{Cause, ExactValue, Limit};
-use crate::rational::{Rational, from_f64, integer, to_text};
+use crate::exact::rational::{Rational, from_f64, integer, to_text};
+use crate::stability::{Cause, ExactValue, Limit};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 

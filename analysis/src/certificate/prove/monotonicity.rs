@@ -6,11 +6,11 @@ use super::super::{
 use super::limit_ends::{above, certified_limit, ends};
 use super::statement::certificate;
 use super::{CertificationError, MAX_BOXES};
-use crate::bernstein::is_negative_between;
-use crate::limit::{enclosed_coefficients, monotonicity_limit};
-use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer};
-use crate::symbol::EnclosedSymbol;
+use crate::exact::bernstein::is_negative_between;
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, integer};
+use crate::scheme::symbol::EnclosedSymbol;
+use crate::stability::{enclosed_coefficients, monotonicity_limit};
 use num_traits::{One, Signed, Zero};
 
 /// The certificate of the monotonicity limit within `[0, max_courant]`.

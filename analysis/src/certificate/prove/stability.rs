@@ -8,11 +8,11 @@ use super::limit_ends::{
 };
 use super::statement::certificate;
 use super::{CertificationError, MAX_BOXES};
-use crate::bernstein::{MarginForm, SignedBox, exact_cover};
-use crate::limit::{Limit, StableInterval, stable_set};
-use crate::margin::Margin;
-use crate::rational::{Rational, integer};
-use crate::symbol::EnclosedSymbol;
+use crate::exact::bernstein::{MarginForm, SignedBox, exact_cover};
+use crate::exact::rational::{Rational, integer};
+use crate::scheme::symbol::EnclosedSymbol;
+use crate::stability::margin::Margin;
+use crate::stability::{Limit, StableInterval, stable_set};
 use num_bigint::BigInt;
 use num_traits::Zero;
 
@@ -25,7 +25,7 @@ const MAX_PIECES: usize = 400;
 ///
 /// ```
 /// use courant_analysis::certificate::{certify_stability, verify};
-/// use courant_analysis::{kernel::Kernel, rational::integer};
+/// use courant_analysis::{kernel::Kernel, exact::rational::integer};
 /// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 /// let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
 /// let scheme = scheme.unwrap();

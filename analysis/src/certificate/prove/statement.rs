@@ -1,8 +1,8 @@
 //! What a certificate is about: the names and the coefficients.
 
 use super::super::{Certificate, CertifiedStencil, CertifiedSymbol, Exact, Proof, Subject};
-use crate::rational::Rational;
-use crate::symbol::EnclosedSymbol;
+use crate::exact::rational::Rational;
+use crate::scheme::symbol::EnclosedSymbol;
 use num_traits::Zero;
 
 pub(super) fn certificate(

@@ -4,10 +4,10 @@ use super::super::{GrowingWave, UnstableClaim};
 use super::limit_ends::{ABOVE, above, closed_form, exactly, just_above, just_below, power};
 use super::stability::StabilityProver;
 use super::{CertificationError, MAX_BOXES};
-use crate::bernstein::{Sign, is_negative_between};
-use crate::limit::{ExactValue, Limit, phase_parameter};
-use crate::polynomial::Polynomial;
-use crate::rational::{Rational, integer};
+use crate::exact::bernstein::{Sign, is_negative_between};
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, integer};
+use crate::stability::{ExactValue, Limit, phase_parameter};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 

@@ -1,7 +1,7 @@
 //! The few operations on polynomials that checking takes.
 
 use super::super::CertifiedBox;
-use crate::rational::Rational;
+use crate::exact::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};

@@ -3,7 +3,7 @@
 use super::super::{CertifiedStencil, CertifiedSymbol, Exact, FactoredMargin};
 use super::arithmetic::product;
 use super::{CertificateError, coefficient, ensure, is_exact, values};
-use crate::rational::{Rational, integer};
+use crate::exact::rational::{Rational, integer};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};

@@ -3,7 +3,7 @@
 use super::super::{CertifiedSymbol, MonotonicityProof};
 use super::arithmetic::{bernstein, covers, sign, whole_numbers};
 use super::{CertificateError, check_limit, coefficient, ensure, nearness};
-use crate::rational::{Rational, integer};
+use crate::exact::rational::{Rational, integer};
 use num_traits::{One, Signed, Zero};
 
 pub(super) fn check_monotonicity(

@@ -6,7 +6,7 @@ use super::super::{
 use super::arithmetic::{bernstein, covers, sign};
 use super::margin::{Decider, check_margin};
 use super::{CertificateError, check_limit, ensure, nearness};
-use crate::rational::Rational;
+use crate::exact::rational::Rational;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 

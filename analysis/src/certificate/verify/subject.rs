@@ -3,7 +3,7 @@
 
 use super::super::{CertifiedSymbol, Subject};
 use super::{CertificateError, coefficient, ensure};
-use crate::rational::{Rational, integer, ratio};
+use crate::exact::rational::{Rational, integer, ratio};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::collections::BTreeMap;

@@ -6,10 +6,10 @@ use crate::figure::{Figure, Side};
 use crate::number::significant;
 use crate::page::Item;
 use crate::wave_map::{WaveMap, amplitude_map, phase_error_map};
-use courant_analysis::dispersion::sweep::{Quantity, even_axis};
-use courant_analysis::dispersion::{Form, WaveMethod};
-use courant_analysis::rational::{integer, ratio, to_text};
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::exact::rational::{integer, ratio, to_text};
+use courant_analysis::waves::dispersion::sweep::{Quantity, even_axis};
+use courant_analysis::waves::dispersion::{Form, WaveMethod};
+use courant_analysis::waves::sweep::{Progress, SweepError};
 use std::ops::ControlFlow;
 
 /// What all captions state.

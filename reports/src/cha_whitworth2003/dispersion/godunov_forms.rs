@@ -7,11 +7,11 @@ use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
 use crate::wave_map::wave_number_axis;
-use courant_analysis::dispersion::{
+use courant_analysis::exact::rational::{integer, to_f64, to_text};
+use courant_analysis::waves::dispersion::{
     AmplitudeTime, Branch, CompiledWaves, Form, WaveMethod, amplitude, damping_per_wavelength,
 };
-use courant_analysis::rational::{integer, to_f64, to_text};
-use courant_analysis::sweep::SweepError;
+use courant_analysis::waves::sweep::SweepError;
 use std::f64::consts::PI;
 
 const FORMS: [Form; 2] = [Form::Published, Form::Resolved];

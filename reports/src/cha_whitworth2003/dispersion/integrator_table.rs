@@ -5,13 +5,13 @@ use super::usual_ratio;
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_analysis::dispersion::{
+use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
+use courant_analysis::kernel::Kernel;
+use courant_analysis::scheme::integrator::Integrator;
+use courant_analysis::waves::dispersion::{
     Form, StableStep, WaveMethod, WaveScheme, stable_step, stable_step_within,
 };
-use courant_analysis::integrator::Integrator;
-use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{Rational, integer, ratio, to_f64, to_text};
-use courant_analysis::sweep::SweepError;
+use courant_analysis::waves::sweep::SweepError;
 use num_traits::Zero;
 use rayon::prelude::*;
 

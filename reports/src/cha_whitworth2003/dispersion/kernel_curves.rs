@@ -5,10 +5,10 @@ use super::{figure_item, phases, usual_ratio};
 use crate::figure::{Axis, Color, Dash, Figure, Line, Panel, Rule};
 use crate::page::Item;
 use crate::wave_map::wave_number_axis;
-use courant_analysis::dispersion::sweep::Quantity;
-use courant_analysis::dispersion::{Form, WaveMethod, WaveScheme};
+use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{Rational, integer, ratio, to_f64, to_text};
+use courant_analysis::waves::dispersion::sweep::Quantity;
+use courant_analysis::waves::dispersion::{Form, WaveMethod, WaveScheme};
 use std::f64::consts::PI;
 
 /// The smoothing ratio, to a thousandth, at which a kernel is as wide as the cubic spline at the usual one.
@@ -40,7 +40,7 @@ pub fn item() -> Result<Item, ReportError> {
         for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
             let at = equal_width_ratio(kernel);
             let scheme = WaveScheme::new(method.clone(), kernel, &at)
-                .map_err(courant_analysis::sweep::SweepError::from)?;
+                .map_err(courant_analysis::waves::sweep::SweepError::from)?;
             let waves = scheme.compile();
             let points: Vec<(f64, f64)> =
                 phases.iter().map(|&phase| (phase, quantity.of(&waves.mode(phase)))).collect();

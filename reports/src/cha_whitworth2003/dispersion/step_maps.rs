@@ -5,12 +5,12 @@ use super::figure_item;
 use crate::figure::{Figure, Side};
 use crate::page::Item;
 use crate::step_map::{StepMap, step_map};
-use courant_analysis::dispersion::sweep::even_axis;
-use courant_analysis::dispersion::{WaveMethod, WaveScheme};
-use courant_analysis::integrator::Integrator;
+use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::integer;
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::scheme::integrator::Integrator;
+use courant_analysis::waves::dispersion::sweep::even_axis;
+use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme};
+use courant_analysis::waves::sweep::{Progress, SweepError};
 use std::ops::ControlFlow;
 
 pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError> {

@@ -21,7 +21,7 @@ pub use runs::{Runs, Solved};
 use super::{COMMAND, Detail, ReportError};
 use crate::CatalogueItem;
 use crate::page::{Item, Publish, Section};
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::waves::sweep::{Progress, SweepError};
 
 const fn entry(
     name: &'static str,

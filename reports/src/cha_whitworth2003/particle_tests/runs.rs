@@ -2,7 +2,7 @@
 
 use super::{Detail, ReportError};
 use crate::particle_profile::exact_solution_holds;
-use courant_analysis::sweep::{Progress, with_progress};
+use courant_analysis::waves::sweep::{Progress, with_progress};
 use courant_simulation::particles::{
     MethodOptions, ParticleMethod, ParticleRun, ParticleScene, run_particles,
 };

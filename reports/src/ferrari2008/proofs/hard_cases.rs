@@ -6,17 +6,17 @@ use super::symbol;
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
+use courant_analysis::exact::rational::{Rational, integer, parse, ratio, to_f64, to_text};
+use courant_analysis::exact::stencil::Stencil;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::{
+use courant_analysis::scheme::symbol::{EnclosedSymbol, Symbol};
+use courant_analysis::scheme::{AdvectionScheme, search_range};
+use courant_analysis::stability::margin::Margin;
+use courant_analysis::stability::verdict::check;
+use courant_analysis::stability::weak_instability::long_wave_behaviour;
+use courant_analysis::stability::{
     Limit, LimitMethod, StableSet, growth_limit, stability_limit, stable_set,
 };
-use courant_analysis::margin::Margin;
-use courant_analysis::rational::{Rational, integer, parse, ratio, to_f64, to_text};
-use courant_analysis::scheme::{AdvectionScheme, search_range};
-use courant_analysis::stencil::Stencil;
-use courant_analysis::symbol::{EnclosedSymbol, Symbol};
-use courant_analysis::verdict::check;
-use courant_analysis::weak_instability::long_wave_behaviour;
 use num_traits::Zero;
 
 /// Longer equations are described, not printed.
@@ -42,9 +42,11 @@ pub(super) fn table() -> Item {
         ]);
     }
     let typed = parse("0.3").expect("a decimal");
-    let neighbours =
-        courant_analysis::lattice::LatticeWeights::new(Kernel::Gaussian, &(&typed + ratio(1, 30)))
-            .map_or(0, |weights| weights.reach());
+    let neighbours = courant_analysis::kernel::lattice::LatticeWeights::new(
+        Kernel::Gaussian,
+        &(&typed + ratio(1, 30)),
+    )
+    .map_or(0, |weights| weights.reach());
     table.push([
         "ratio 1/3 with the Gaussian".into(),
         "is the neighbour at exactly q = 3 counted?".into(),

@@ -7,10 +7,10 @@ use crate::figure::{
 };
 use crate::number::significant;
 use crate::page::{Item, Section};
+use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::stability_limit;
-use courant_analysis::rational::integer;
 use courant_analysis::scheme::{AdvectionScheme, Scheme};
+use courant_analysis::stability::stability_limit;
 use courant_simulation::advection::{DisorderStudy, gain_against_disorder};
 use rayon::prelude::*;
 use std::fmt::Write;

@@ -5,10 +5,10 @@ use super::{discretisation, kernels};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
+use courant_analysis::exact::rational::{Rational, integer, ratio, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::limit::sampled_stability_limit;
-use courant_analysis::rational::{Rational, integer, ratio, to_text};
 use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant_analysis::stability::sampled_stability_limit;
 use courant_simulation::advection::{
     GrowthPlan, GrowthVerdict, LimitComparison, LongRun, NoBracket, RingModes, compare_limits,
     long_run,

@@ -7,8 +7,8 @@ use crate::figure::{Axis, Color, Corner, Dash, Figure, Line, Marker, Markers, Pa
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
+use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::integer;
 use courant_analysis::scheme::AdvectionScheme;
 use std::f64::consts::PI;
 use std::fmt::Write;

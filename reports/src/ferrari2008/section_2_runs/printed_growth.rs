@@ -6,8 +6,8 @@ use crate::figure::{Axis, Color, Corner, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
+use courant_analysis::exact::rational::{to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::rational::{to_f64, to_text};
 use courant_analysis::scheme::{AdvectionScheme, Discretisation};
 use courant_simulation::advection::{
     CriticalGrowth, Method, ParticlePath, Ring, RingModes, Stepper, growth_at,

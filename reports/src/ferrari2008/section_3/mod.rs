@@ -13,7 +13,7 @@ mod table_2;
 use super::{Detail, ReportError};
 use crate::CatalogueItem;
 use crate::page::{Item, Publish, Section};
-use courant_analysis::sweep::{Progress, SweepError};
+use courant_analysis::waves::sweep::{Progress, SweepError};
 use courant_simulation::run::Failure;
 use runs::Runs;
 

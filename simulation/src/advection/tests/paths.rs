@@ -1,7 +1,7 @@
 //! Neighbours, the two paths, and what they keep.
 
 use super::*;
-use courant_analysis::lattice::LatticeWeights;
+use courant_analysis::kernel::lattice::LatticeWeights;
 use courant_analysis::scheme::Scheme;
 use proptest::prelude::*;
 

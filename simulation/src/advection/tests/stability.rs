@@ -1,7 +1,7 @@
 //! Growth and limits by run.
 
 use super::*;
-use courant_analysis::rational::integer;
+use courant_analysis::exact::rational::integer;
 use courant_analysis::scheme::Scheme;
 
 /// `(a, b) ← (d a + t b, e b)`: with d = e below 1 it grows like `n t d^n` before it decays.

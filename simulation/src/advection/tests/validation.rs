@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::advection::amplification::largest;
-use courant_analysis::limit::stability_limit;
-use courant_analysis::rational::integer;
+use courant_analysis::exact::rational::integer;
 use courant_analysis::scheme::Scheme;
+use courant_analysis::stability::stability_limit;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 

@@ -6,9 +6,9 @@ use super::{discretisation, kernels};
 use crate::ferrari2008::{COMMAND, Detail, ReportError};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::page::{Item, Section};
-use courant_analysis::limit::growth_limit;
-use courant_analysis::rational::{integer, ratio};
+use courant_analysis::exact::rational::{integer, ratio};
 use courant_analysis::scheme::{AdvectionScheme, Scheme};
+use courant_analysis::stability::growth_limit;
 use courant_simulation::advection::{
     CostMeasure, CostRow, Layout, Method, RunPlan, Scene, measure_cost, pareto_front,
 };

@@ -1,0 +1,67 @@
+//! From cosines and powers to the Bernstein basis, in integers.
+
+use crate::exact::cosine_series::CosineSeries;
+use crate::exact::rational::{Rational, common_denominator, numerator_over};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Zero};
+
+/// `[e_0, …, e_n]` of `m` copies of `a` and `k` copies of `b`.
+fn elementary_symmetric(a: &BigInt, m: usize, b: &BigInt, k: usize) -> Vec<BigInt> {
+    let mut sums = vec![BigInt::one()];
+    for value in std::iter::repeat_n(a, m).chain(std::iter::repeat_n(b, k)) {
+        sums.push(BigInt::zero());
+        for index in (1..sums.len()).rev() {
+            let product = &sums[index - 1] * value;
+            sums[index] += product;
+        }
+    }
+    sums
+}
+
+/// `[C(n, 0), …, C(n, n)]`.
+pub(super) fn binomials(degree: usize) -> Vec<BigInt> {
+    let mut row = vec![BigInt::one()];
+    for index in 0..degree {
+        let next = &row[index] * (degree - index) / (index + 1);
+        row.push(next);
+    }
+    row
+}
+
+/// The `β_i` with `Σ_m r_m cos mφ = Σ_i β_i s^i (1 − s)^{n−i}`.
+pub(super) fn scaled_bernstein(series: &CosineSeries<BigInt>, degree: usize) -> Vec<BigInt> {
+    let powers = series.in_powers_of_s();
+    // Σ a_i s^i (s + (1 − s))^{n−i}: Horner in the homogeneous form.
+    let mut scaled: Vec<BigInt> = Vec::with_capacity(degree + 1);
+    for index in 0..=degree {
+        // Multiply by (s + (1 − s)), then add a_i s^i.
+        scaled.push(BigInt::zero());
+        for j in (1..scaled.len()).rev() {
+            let (head, tail) = scaled.split_at_mut(j);
+            tail[0] += &head[j - 1];
+        }
+        scaled[index] += powers.coefficient(index);
+    }
+    scaled
+}
+
+/// How Bernstein coefficients in `t` on `[from, to]` follow from coefficients of powers of `t`, up to a
+/// common positive factor: row `k` holds the weights of `1, t, …, t^degree` in coefficient `k`.
+///
+/// Polar form: `t^j` becomes the `j`-th elementary symmetric mean of `k` copies of `to` and
+/// `degree − k` copies of `from`.
+pub(super) fn polar_weights(degree: usize, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
+    let common = common_denominator([from, to]);
+    let (from, to) = (numerator_over(from, &common), numerator_over(to, &common));
+    let choices = binomials(degree);
+    let factor = choices.iter().fold(BigInt::one(), |all, value| all.lcm(value));
+    (0..=degree)
+        .map(|k| {
+            let symmetric = elementary_symmetric(&from, degree - k, &to, k);
+            (0..=degree)
+                .map(|j| &symmetric[j] * (&factor / &choices[j]) * common.pow((degree - j) as u32))
+                .collect()
+        })
+        .collect()
+}

@@ -1,0 +1,184 @@
+//! Squares that divide several integer polynomials at once, found modulo primes and verified exactly.
+//!
+//! A wave that a scheme leaves neutral at every Courant number — the zeros of the kernel's transform
+//! on the lattice — makes all coefficients of the margin vanish together, and no amount of
+//! subdivision decides the sign of a touching zero. Taking the common square out does.
+
+use crate::exact::modular::{PrimeField, Reconstruction};
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, integer};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+/// Primes tried before a common divisor is given up; more than any common factor met here needs.
+const MAX_PRIMES: usize = 64;
+
+/// The largest `H`, monic, such that `H²` divides every polynomial; 1 when there is none.
+///
+/// ```
+/// use courant_analysis::{exact::common_factor::common_square_root, exact::polynomial::Polynomial};
+/// use courant_analysis::exact::rational::{Rational, integer, ratio};
+/// let touching = Polynomial::new(vec![integer(-1), integer(2)]).pow(2);   // (2s − 1)²
+/// let first = touching.clone() * Polynomial::new(vec![integer(3), integer(1)]);
+/// let root = common_square_root(&[first, touching]);
+/// assert_eq!(root.coefficients(), &[ratio(-1, 2), integer(1)]);
+/// ```
+pub fn common_square_root(polynomials: &[Polynomial<Rational>]) -> Polynomial<Rational> {
+    let mut common = Polynomial::zero();
+    for polynomial in polynomials {
+        common = match greatest_common_divisor(&common, polynomial) {
+            Some(divisor) => divisor,
+            None => return Polynomial::one(),
+        };
+    }
+    square_root_part(common).unwrap_or_else(Polynomial::one)
+}
+
+/// `H = f_2 f_3 f_4² f_5² …` of the decomposition `p = f_1 f_2² f_3³ …`.
+fn square_root_part(polynomial: Polynomial<Rational>) -> Option<Polynomial<Rational>> {
+    let factors = square_free_factors(polynomial)?;
+    Some((1..).zip(factors).fold(Polynomial::one(), |root, (multiplicity, factor)| {
+        root * factor.pow(multiplicity / 2)
+    }))
+}
+
+/// Yun's decomposition `p = f_1 f_2² f_3³ …` into monic factors without multiple roots, up to a constant:
+/// `[f_1, f_2, …]`, empty for a constant. `None` when the primes do not suffice.
+pub(crate) fn square_free_factors(
+    polynomial: Polynomial<Rational>,
+) -> Option<Vec<Polynomial<Rational>>> {
+    let mut factors = Vec::new();
+    if polynomial.degree() < Some(1) {
+        return Some(factors);
+    }
+    let derivative = polynomial.derivative();
+    let repeated = greatest_common_divisor(&polynomial, &derivative)?;
+    let mut simple = polynomial.divide(&repeated).0;
+    let mut rest = derivative.divide(&repeated).0 - simple.derivative();
+    while simple.degree() > Some(0) {
+        let factor = greatest_common_divisor(&simple, &rest)?;
+        simple = simple.divide(&factor).0;
+        rest = rest.divide(&factor).0 - simple.derivative();
+        factors.push(factor);
+    }
+    Some(factors)
+}
+
+/// Whether an integer polynomial certainly has no multiple root: it then has none modulo some prime.
+pub(crate) fn is_square_free(polynomial: &Polynomial<BigInt>) -> bool {
+    PrimeField::descending().take(2).any(|field| {
+        let image: Vec<u64> = polynomial.coefficients().iter().map(|v| field.embed(v)).collect();
+        let derivative = polynomial.derivative();
+        let slope: Vec<u64> = derivative.coefficients().iter().map(|v| field.embed(v)).collect();
+        let whole = |values: &[u64]| values.last().is_none_or(|&leading| leading != 0);
+        whole(&image) && whole(&slope) && divisor_modulo(image, slope, &field).len() == 1
+    })
+}
+
+/// The monic greatest common divisor; `None` when the primes do not suffice to reconstruct it.
+pub(crate) fn greatest_common_divisor(
+    left: &Polynomial<Rational>,
+    right: &Polynomial<Rational>,
+) -> Option<Polynomial<Rational>> {
+    if left.is_zero() || right.is_zero() {
+        return Some(monic(if left.is_zero() { right } else { left }));
+    }
+    let (left_integers, right_integers) = (integers(left), integers(right));
+    let mut images: Option<Reconstruction> = None;
+    for field in PrimeField::descending().take(MAX_PRIMES) {
+        let image = |values: &[BigInt]| -> Option<Vec<u64>> {
+            let residues: Vec<u64> = values.iter().map(|value| field.embed(value)).collect();
+            // A prime that divides the leading coefficient tells nothing.
+            residues.last().is_some_and(|&leading| leading != 0).then_some(residues)
+        };
+        let (Some(a), Some(b)) = (image(&left_integers), image(&right_integers)) else { continue };
+        let divisor = divisor_modulo(a, b, &field);
+        if divisor.len() == 1 {
+            return Some(Polynomial::one());
+        }
+        // An unlucky prime shows a divisor of too high degree.
+        let found = images.as_ref().map(|images| images.residues().len());
+        match images.as_mut() {
+            Some(_) if found < Some(divisor.len()) => continue,
+            Some(images) if found == Some(divisor.len()) => images.extend(&field, &divisor),
+            _ => images = Some(Reconstruction::new(&field, &divisor)),
+        }
+        let candidate: Option<Vec<Rational>> = images.as_ref().and_then(|images| {
+            images.residues().iter().map(|r| reconstruct(r, images.modulus())).collect()
+        });
+        if let Some(candidate) = candidate.map(Polynomial::new)
+            && left.divide(&candidate).1.is_zero()
+            && right.divide(&candidate).1.is_zero()
+        {
+            return Some(candidate);
+        }
+    }
+    None
+}
+
+/// Coefficients over their common denominator.
+fn integers(polynomial: &Polynomial<Rational>) -> Vec<BigInt> {
+    let coefficients = polynomial.coefficients();
+    let common = coefficients.iter().fold(BigInt::one(), |all, value| all.lcm(value.denom()));
+    coefficients.iter().map(|value| value.numer() * (&common / value.denom())).collect()
+}
+
+fn monic(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
+    match polynomial.coefficients().last() {
+        Some(leading) => polynomial.scale(&(integer(1) / leading)),
+        None => Polynomial::zero(),
+    }
+}
+
+/// Euclid's algorithm modulo a prime; the result is monic.
+fn divisor_modulo(mut a: Vec<u64>, mut b: Vec<u64>, field: &PrimeField) -> Vec<u64> {
+    while !b.is_empty() {
+        (a, b) = (b.clone(), field.remainder(a, &b));
+    }
+    let inverse = field.inverse(a[a.len() - 1]);
+    a.iter().map(|&value| field.multiply(value, inverse)).collect()
+}
+
+/// The fraction of small numerator and denominator with this residue (Wang's algorithm).
+fn reconstruct(residue: &BigInt, modulus: &BigInt) -> Option<Rational> {
+    let half: BigInt = modulus / 2;
+    let bound = half.sqrt();
+    let (mut remainder, mut next) = (modulus.clone(), residue.mod_floor(modulus));
+    let (mut cofactor, mut next_cofactor) = (BigInt::zero(), BigInt::one());
+    while next > bound {
+        let quotient = &remainder / &next;
+        (remainder, next) = (next.clone(), remainder - &quotient * &next);
+        (cofactor, next_cofactor) = (next_cofactor.clone(), cofactor - quotient * next_cofactor);
+    }
+    let usable = !next_cofactor.is_zero() && next_cofactor.abs() <= bound;
+    usable.then(|| Rational::new(next, next_cofactor))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn polynomial(values: Vec<i64>) -> Polynomial<Rational> {
+        Polynomial::new(values.into_iter().map(integer).collect())
+    }
+
+    proptest! {
+        #[test]
+        fn planted_squares_come_out(
+            planted in prop::collection::vec(-30i64..30, 1..5),
+            a in prop::collection::vec(-99i64..99, 1..6),
+            b in prop::collection::vec(-99i64..99, 1..6),
+        ) {
+            let (planted, a, b) = (polynomial(planted), polynomial(a), polynomial(b));
+            prop_assume!(!planted.is_zero() && !a.is_zero() && !b.is_zero());
+            let square = planted.pow(2);
+            let (p, q) = (square.clone() * a, square * b);
+            let root = common_square_root(&[p.clone(), q.clone()]);
+            prop_assert!(p.divide(&root.pow(2)).1.is_zero());
+            prop_assert!(q.divide(&root.pow(2)).1.is_zero());
+            prop_assert!(root.divide(&planted).1.is_zero(), "{:?} misses {:?}", root, planted);
+        }
+    }
+}

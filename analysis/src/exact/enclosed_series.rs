@@ -1,0 +1,187 @@
+//! Cosine series known exactly, or within a stated distance of the true function.
+
+use crate::exact::cosine_series::CosineSeries;
+use crate::exact::rational::{Rational, common_denominator, numerator_over, to_f64};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+/// `Σ_m r_m cos mφ` with rational `r_m`, and a bound on how far the true function may be at any phase.
+///
+/// The coefficients are integers over one common denominator. The bound is on the sum of the moduli of
+/// the errors of all coefficients, a norm under which products are estimated by products.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnclosedSeries {
+    numerators: Vec<BigInt>,
+    denominator: BigInt,
+    radius: Rational,
+}
+
+impl EnclosedSeries {
+    /// From `[r_0, r_1, …]` and the bound on the error, zero when there is none.
+    pub fn new(coefficients: &[Rational], radius: Rational) -> Self {
+        let denominator = common_denominator(coefficients);
+        let numerators =
+            coefficients.iter().map(|value| numerator_over(value, &denominator)).collect();
+        Self { numerators, denominator, radius }
+    }
+
+    /// A constant, exact.
+    pub fn constant(value: Rational) -> Self {
+        Self::new(&[value], Rational::zero())
+    }
+
+    /// `s = (1 − cos φ)/2`, the square of the sine of half the phase.
+    pub fn half_versine() -> Self {
+        Self {
+            numerators: vec![BigInt::one(), -BigInt::one()],
+            denominator: BigInt::from(2),
+            radius: Rational::zero(),
+        }
+    }
+
+    /// The bound on the error.
+    pub fn radius(&self) -> &Rational {
+        &self.radius
+    }
+
+    /// Whether the series is known exactly.
+    pub fn is_exact(&self) -> bool {
+        self.radius.is_zero()
+    }
+
+    /// Whether the function vanishes identically.
+    pub fn is_zero(&self) -> bool {
+        self.is_exact() && self.numerators.iter().all(Zero::is_zero)
+    }
+
+    /// The coefficients in the middle of the enclosure.
+    pub fn center(&self) -> CosineSeries<Rational> {
+        let values = self.numerators.iter();
+        CosineSeries::new(
+            values.map(|value| Rational::new(value.clone(), self.denominator.clone())).collect(),
+        )
+    }
+
+    /// Each coefficient correctly rounded.
+    pub fn compile(&self) -> CosineSeries<f64> {
+        self.center().map(to_f64)
+    }
+
+    /// The sum of the moduli of the coefficients in the middle.
+    fn norm(&self) -> Rational {
+        let sum: BigInt = self.numerators.iter().map(Signed::abs).sum();
+        Rational::new(sum, self.denominator.clone())
+    }
+
+    /// The sum of two.
+    pub fn plus(&self, other: &Self) -> Self {
+        let denominator = self.denominator.lcm(&other.denominator);
+        let (left, right) = (&denominator / &self.denominator, &denominator / &other.denominator);
+        let length = self.numerators.len().max(other.numerators.len());
+        let zero = BigInt::zero();
+        let numerators = (0..length)
+            .map(|m| {
+                self.numerators.get(m).unwrap_or(&zero) * &left
+                    + other.numerators.get(m).unwrap_or(&zero) * &right
+            })
+            .collect();
+        Self { numerators, denominator, radius: &self.radius + &other.radius }
+    }
+
+    /// The product of two: `2 cos a cos b = cos(a + b) + cos(a − b)`.
+    pub fn times(&self, other: &Self) -> Self {
+        let length = (self.numerators.len() + other.numerators.len()).saturating_sub(1);
+        let mut numerators = vec![BigInt::zero(); length];
+        for (a, left) in self.numerators.iter().enumerate() {
+            for (b, right) in other.numerators.iter().enumerate() {
+                let product = left * right;
+                numerators[a.abs_diff(b)] += &product;
+                numerators[a + b] += product;
+            }
+        }
+        let radius = if self.is_exact() && other.is_exact() {
+            Rational::zero()
+        } else {
+            self.norm() * &other.radius + other.norm() * &self.radius + &self.radius * &other.radius
+        };
+        let denominator = BigInt::from(2) * &self.denominator * &other.denominator;
+        Self { numerators, denominator, radius }
+    }
+
+    /// The same function with coefficients cut to multiples of `2^−bits`, and the radius widened by what
+    /// was cut off; an exact series is kept as it is.
+    pub fn shortened(self, bits: u32) -> Self {
+        if self.is_exact() {
+            return self;
+        }
+        let numerators: Vec<BigInt> =
+            self.numerators.iter().map(|v| (v << bits).div_floor(&self.denominator)).collect();
+        let cut = Rational::new(BigInt::from(numerators.len()), BigInt::one() << bits);
+        // The radius is rounded up to the same unit.
+        let radius = (self.radius * Rational::from(BigInt::one() << bits)).ceil();
+        let radius = radius / Rational::from(BigInt::one() << bits) + cut;
+        Self { numerators, denominator: BigInt::one() << bits, radius }
+    }
+
+    /// Every coefficient multiplied by an exact factor.
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        Self {
+            numerators: self.numerators.iter().map(|value| value * factor.numer()).collect(),
+            denominator: &self.denominator * factor.denom(),
+            radius: &self.radius * factor.abs(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::ratio;
+    use proptest::prelude::*;
+
+    fn series() -> impl Strategy<Value = Vec<i64>> {
+        prop::collection::vec(-30i64..30, 1..7)
+    }
+
+    fn enclosed(values: &[i64], radius: Rational) -> EnclosedSeries {
+        EnclosedSeries::new(&values.iter().map(|&v| ratio(v, 7)).collect::<Vec<_>>(), radius)
+    }
+
+    proptest! {
+        #[test]
+        fn sums_and_products_are_those_of_the_functions(
+            a in series(), b in series(), phase in 0.0f64..3.2
+        ) {
+            let (left, right) = (enclosed(&a, ratio(0, 1)), enclosed(&b, ratio(0, 1)));
+            let at = |series: &EnclosedSeries| series.compile().at_cosine(phase.cos());
+            let (x, y) = (at(&left), at(&right));
+            prop_assert!((at(&left.plus(&right)) - (x + y)).abs() < 1e-11);
+            prop_assert!((at(&left.times(&right)) - x * y).abs() < 1e-9);
+            let s = (phase / 2.0).sin().powi(2);
+            prop_assert!((at(&EnclosedSeries::half_versine()) - s).abs() < 1e-14);
+        }
+
+        #[test]
+        fn products_of_moved_series_stay_within_the_radius(a in series(), b in series(), which in 0usize..6) {
+            // Move one coefficient of each factor by its whole radius: the product must move no further
+            // than its own.
+            let radius = ratio(3, 11);
+            let (left, right) = (enclosed(&a, radius.clone()), enclosed(&b, radius.clone()));
+            let product = left.times(&right);
+            let moved = |values: &[i64]| {
+                let mut values: Vec<Rational> = values.iter().map(|&v| ratio(v, 7)).collect();
+                let index = which % values.len();
+                values[index] += &radius;
+                EnclosedSeries::new(&values, ratio(0, 1))
+            };
+            let difference =
+                moved(&a).times(&moved(&b)).plus(&product.scaled(&ratio(-1, 1)));
+            prop_assert!(difference.norm() <= *product.radius());
+            // Cutting the coefficients keeps the enclosure.
+            let cut = product.clone().shortened(5);
+            let moved = cut.plus(&product.scaled(&ratio(-1, 1)));
+            prop_assert!(moved.norm() + product.radius() <= *cut.radius());
+        }
+    }
+}

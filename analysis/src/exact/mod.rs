@@ -1,0 +1,16 @@
+//! Exact arithmetic: rationals, balls, Laurent polynomials, real roots, Bernstein coefficients.
+
+pub mod algebraic_number;
+pub mod bernstein;
+pub mod common_factor;
+pub mod cosine_series;
+pub mod descartes;
+pub mod discriminant;
+pub mod enclosed_series;
+pub mod fixed_point;
+pub mod interval;
+pub mod modular;
+pub mod polynomial;
+pub mod rational;
+pub mod real_roots;
+pub mod stencil;

@@ -1,0 +1,258 @@
+//! Real roots of rational polynomials in one variable: counted by Sturm's theorem, isolated by
+//! bisection, recognised as fractions, and refined from a guess by Newton's method.
+
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, from_f64, integer, ratio, simplest_between};
+use num_bigint::{BigInt, Sign};
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+/// A real root enclosed in `[lower, upper]`; the two are equal when the root is that fraction.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RealRoot {
+    /// Not above the root.
+    pub lower: Rational,
+    /// Not below the root.
+    pub upper: Rational,
+}
+
+impl RealRoot {
+    /// The root as a fraction, when it was recognised as one.
+    pub fn exact(&self) -> Option<&Rational> {
+        (self.lower == self.upper).then_some(&self.lower)
+    }
+}
+
+/// The distinct roots in `(from, to]`, ascending, each enclosed to `2^−bits` of its size.
+///
+/// ```
+/// use courant_analysis::{exact::polynomial::Polynomial, exact::rational::{integer, ratio}};
+/// use courant_analysis::exact::real_roots::real_roots;
+/// // (2t − 1)(t² − 2)
+/// let p = Polynomial::new(vec![integer(2), integer(-4), integer(-1), integer(2)]);
+/// let roots = real_roots(&p, &integer(0), &integer(10), 60);
+/// assert_eq!(roots[0].exact(), Some(&ratio(1, 2)));
+/// assert!(roots[1].exact().is_none() && roots.len() == 2);
+/// ```
+pub fn real_roots(
+    polynomial: &Polynomial<Rational>,
+    from: &Rational,
+    to: &Rational,
+    bits: u32,
+) -> Vec<RealRoot> {
+    let chain = SturmChain::new(polynomial);
+    let mut roots = Vec::new();
+    let mut pending = vec![(from.clone(), to.clone())];
+    while let Some((lower, upper)) = pending.pop() {
+        match chain.count(&lower, &upper) {
+            0 => {}
+            1 => roots.push(chain.refine(lower, upper, bits)),
+            _ => {
+                let middle = (&lower + &upper) / integer(2);
+                // The lower half is looked at first.
+                pending.push((middle.clone(), upper));
+                pending.push((lower, middle));
+            }
+        }
+    }
+    roots
+}
+
+/// Sturm's chain of a polynomial: `p, p', −rem(p, p'), …`, each made primitive.
+#[derive(Debug, Clone)]
+pub struct SturmChain {
+    chain: Vec<Polynomial<Rational>>,
+}
+
+impl SturmChain {
+    /// The chain; for the zero polynomial it is empty.
+    pub fn new(polynomial: &Polynomial<Rational>) -> Self {
+        let mut chain = vec![primitive(polynomial), primitive(&polynomial.derivative())];
+        while chain.last().is_some_and(|last| !last.is_zero()) {
+            let [.., before, last] = chain.as_slice() else {
+                unreachable!("the chain starts with two")
+            };
+            let next = primitive(&-before.divide(last).1);
+            chain.push(next);
+        }
+        chain.retain(|polynomial| !polynomial.is_zero());
+        // The last one is the common divisor of p and p'. Without it multiple roots are simple, and
+        // the count holds even where an end of the interval is a multiple root.
+        if let Some(common) = chain.last().cloned().filter(|last| last.degree() > Some(0)) {
+            chain.iter_mut().for_each(|polynomial| *polynomial = polynomial.divide(&common).0);
+        }
+        Self { chain }
+    }
+
+    /// The number of distinct roots in `(from, to]`.
+    pub fn count(&self, from: &Rational, to: &Rational) -> usize {
+        self.variations(from).saturating_sub(self.variations(to))
+    }
+
+    /// Sign changes of the chain at a point, zeros left out. At a root of `p` the count is that just
+    /// above the root, which makes intervals open below and closed above.
+    fn variations(&self, point: &Rational) -> usize {
+        let signs: Vec<bool> = self
+            .chain
+            .iter()
+            .map(|polynomial| polynomial.evaluate(point))
+            .filter(|value| !value.is_zero())
+            .map(|value| value.is_positive())
+            .collect();
+        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    }
+
+    /// Shrinks an interval `(lower, upper]` with exactly one root, and recognises a fraction.
+    fn refine(&self, mut lower: Rational, mut upper: Rational, bits: u32) -> RealRoot {
+        let polynomial = &self.chain[0];
+        let is_root = |point: &Rational| polynomial.evaluate(point).is_zero();
+        let fine = ratio(1, 2).pow(bits as i32);
+        while &upper - &lower > &fine * upper.abs().max(lower.abs()) {
+            let simplest = simplest_between(&lower, &upper);
+            if simplest > lower && is_root(&simplest) {
+                return RealRoot { lower: simplest.clone(), upper: simplest };
+            }
+            let middle = (&lower + &upper) / integer(2);
+            if self.count(&lower, &middle) == 1 { upper = middle } else { lower = middle }
+        }
+        let simplest = simplest_between(&lower, &upper);
+        if is_root(&simplest) {
+            return RealRoot { lower: simplest.clone(), upper: simplest };
+        }
+        RealRoot { lower, upper }
+    }
+}
+
+/// Divided by the positive content, so that coefficients stay small integers.
+fn primitive(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
+    let coefficients = polynomial.coefficients();
+    let Some(first) = coefficients.iter().find(|value| !value.is_zero()) else {
+        return Polynomial::zero();
+    };
+    let (numerator, denominator) = coefficients.iter().filter(|value| !value.is_zero()).fold(
+        (first.numer().abs(), BigInt::one()),
+        |(numerator, denominator), value| {
+            (numerator.gcd(value.numer()), denominator.lcm(value.denom()))
+        },
+    );
+    polynomial.scale(&Rational::new(denominator, numerator))
+}
+
+/// A root of odd multiplicity near a positive guess, enclosed to about `2^−bits` of its size: Newton's method in
+/// integer fixed point, verified by the signs of the polynomial at both ends. (The coefficients have thousands of digits;
+/// fractions and Sturm's chain on them cost a thousand times as much.)
+pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Option<RealRoot> {
+    // Unit of t: about 2^−3·bits of its size. The largest coefficient has twice as many.
+    let digits = 3 * i64::from(bits);
+    let shift = digits - guess.log2().ceil() as i64;
+    let largest = coefficients.iter().map(|value| value.bits() as i64).max()?;
+    let cut = largest - 2 * digits;
+    let rounded: Vec<BigInt> = coefficients
+        .iter()
+        .map(|value| if cut >= 0 { value >> cut as u64 } else { value << (-cut) as u64 })
+        .collect();
+    let unit =
+        |value: BigInt| if shift >= 0 { value >> shift as u64 } else { value << (-shift) as u64 };
+    let mut root = (from_f64(guess)? * power_of_two(shift)).to_integer();
+    // The digits double in each step, from about ten bits on.
+    for _ in 0..(bits / 5).max(2).ilog2() + 2 {
+        let (mut value, mut slope) = (BigInt::zero(), BigInt::zero());
+        for coefficient in rounded.iter().rev() {
+            slope = unit(slope * &root) + &value;
+            value = unit(value * &root) + coefficient;
+        }
+        if slope.is_zero() {
+            return None;
+        }
+        let step = if shift >= 0 { value << shift as u64 } else { value >> (-shift) as u64 };
+        root -= step / slope;
+    }
+    let margin: BigInt = root.abs() >> u64::from(bits);
+    // Ends with few digits keep the exact evaluations cheap.
+    let coarse = (i64::from(bits) - 8).max(0) as u64;
+    let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
+    let scale = coarse as i64 - shift;
+    let end = |value: BigInt| Rational::from(value) * power_of_two(scale);
+    let (lower, upper) = (end(lower), end(upper));
+    let sign = |end: &Rational| sign_of_value(coefficients, end);
+    (sign(&lower) != sign(&upper)).then_some(RealRoot { lower, upper })
+}
+
+/// The sign of an integer polynomial at a fraction.
+pub(crate) fn sign_at(polynomial: &Polynomial<BigInt>, point: &Rational) -> Sign {
+    sign_of_value(polynomial.coefficients(), point)
+}
+
+/// Homogeneous in numerator and denominator: only the sign counts.
+fn sign_of_value(coefficients: &[BigInt], point: &Rational) -> Sign {
+    let mut weight = BigInt::one();
+    let mut value = BigInt::zero();
+    for coefficient in coefficients.iter().rev() {
+        value = value * point.numer() + coefficient * &weight;
+        weight *= point.denom();
+    }
+    value.sign()
+}
+
+/// `2^exponent`.
+pub(crate) fn power_of_two(exponent: i64) -> Rational {
+    let magnitude = Rational::from(BigInt::one() << exponent.unsigned_abs());
+    if exponent < 0 { magnitude.recip() } else { magnitude }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn from_roots(roots: &[Rational]) -> Polynomial<Rational> {
+        roots.iter().fold(Polynomial::one(), |product, root| {
+            product * Polynomial::new(vec![-root.clone(), integer(1)])
+        })
+    }
+
+    #[test]
+    fn multiple_roots_count_once_and_ends_belong_to_the_right_interval() {
+        let p = from_roots(&[integer(1), integer(1), integer(2), integer(3)]);
+        let chain = SturmChain::new(&p);
+        assert_eq!(chain.count(&integer(0), &integer(1)), 1);
+        assert_eq!(chain.count(&integer(1), &integer(3)), 2);
+        assert_eq!(chain.count(&integer(3), &integer(9)), 0);
+        assert_eq!(real_roots(&p, &integer(0), &integer(9), 60).len(), 3);
+        assert!(real_roots(&Polynomial::zero(), &integer(0), &integer(1), 60).is_empty());
+    }
+
+    proptest! {
+        #[test]
+        fn chosen_roots_are_found(numerators in prop::collection::btree_set(-40i64..40, 1..5)) {
+            let chosen: Vec<_> = numerators.into_iter().map(|n| ratio(n, 7)).collect();
+            // An extra factor without real roots.
+            let p = from_roots(&chosen) * Polynomial::new(vec![integer(3), integer(1), integer(1)]);
+            let found = real_roots(&p, &integer(-10), &integer(10), 80);
+            let exact: Vec<_> = found.iter().filter_map(|root| root.exact().cloned()).collect();
+            prop_assert_eq!(exact, chosen);
+        }
+
+        #[test]
+        fn newtons_method_serves_short_coefficients_too(square in 2i64..1000, bits in 20u32..500) {
+            prop_assume!(BigInt::from(square).sqrt().pow(2) != BigInt::from(square));
+            let guess = (square as f64).sqrt();
+            let root = root_near(&[(-square).into(), BigInt::zero(), 1.into()], guess, bits);
+            let root = root.expect("a simple root close to the guess");
+            prop_assert!(&root.lower * &root.lower < integer(square));
+            prop_assert!(integer(square) < &root.upper * &root.upper);
+            prop_assert!(&root.upper - &root.lower <= &root.upper * power_of_two(3 - i64::from(bits)));
+        }
+
+        #[test]
+        fn irrational_roots_are_enclosed(square in 2i64..1000) {
+            let p = Polynomial::new(vec![integer(-square), integer(0), integer(1)]);
+            let found = real_roots(&p, &integer(0), &integer(square), 70);
+            prop_assert_eq!(found.len(), 1);
+            let root = &found[0];
+            prop_assert!(&root.lower * &root.lower <= integer(square));
+            prop_assert!(&root.upper * &root.upper >= integer(square));
+            prop_assert!(&root.upper - &root.lower <= ratio(1, 1 << 30) * ratio(1, 1 << 30));
+        }
+    }
+}

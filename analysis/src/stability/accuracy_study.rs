@@ -1,0 +1,139 @@
+//! What an answer costs and how wrong it is: sampled limits and proofs side by side.
+
+use super::{
+    phase_grid, refined_stability_limit, sampled_stability_limit, stable_set, stable_set_to,
+};
+use crate::exact::rational::{Rational, integer};
+use crate::scheme::symbol::EnclosedSymbol;
+use std::f64::consts::PI;
+use std::time::Instant;
+
+/// A way to a stability limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LimitMethod {
+    /// This many equal steps of the phase from 0 to π.
+    Sampled(usize),
+    /// The same, then the worst phase refined in floating point.
+    Refined(usize),
+    /// The proof, to this many bits.
+    Proved(u32),
+}
+
+impl LimitMethod {
+    /// What the study compares: 8 to 65,536 phases, and proofs from a rough answer to the last bit.
+    pub fn all() -> Vec<Self> {
+        let counts = || (3..=16).map(|power| 1usize << power);
+        let sampled = counts().map(Self::Sampled);
+        let refined = counts().map(Self::Refined);
+        sampled.chain(refined).chain([16, 24, 32, 40, 52].map(Self::Proved)).collect()
+    }
+
+    /// The word used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sampled(_) => "sampled",
+            Self::Refined(_) => "refined",
+            Self::Proved(_) => "proved",
+        }
+    }
+
+    /// The number of phases, or of bits.
+    pub fn size(self) -> usize {
+        match self {
+            Self::Sampled(count) | Self::Refined(count) => count,
+            Self::Proved(bits) => bits as usize,
+        }
+    }
+
+    fn run(self, symbol: &EnclosedSymbol, max_courant: &Rational) -> f64 {
+        match self {
+            Self::Sampled(count) => {
+                let phases = phase_grid(PI / count as f64);
+                sampled_stability_limit(symbol, &phases, max_courant).value()
+            }
+            Self::Refined(count) => {
+                let phases = phase_grid(PI / count as f64);
+                refined_stability_limit(symbol, &phases, max_courant).value()
+            }
+            Self::Proved(bits) => {
+                stable_set_to(symbol, &integer(0), max_courant, bits).limit().value()
+            }
+        }
+    }
+}
+
+/// One method on one scheme.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AccuracyRow {
+    /// How the limit was found.
+    pub method: LimitMethod,
+    /// What it gave.
+    pub limit: f64,
+    /// `|limit − true limit| / true limit`, the true one taken in the middle of its proved enclosure;
+    /// errors below `2^−53` are not resolved.
+    pub relative_error: f64,
+    /// The least time of the repetitions, margin and all.
+    pub seconds: f64,
+}
+
+/// Every method on one scheme with a positive limit within `[0, max_courant]`; `repetitions` of each are
+/// timed, and no rows come back when there is no such limit.
+pub fn accuracy_study(
+    symbol: &EnclosedSymbol,
+    max_courant: &Rational,
+    repetitions: usize,
+) -> Vec<AccuracyRow> {
+    let truth = stable_set(symbol, &integer(0), max_courant).limit();
+    if !truth.is_positive() || truth.upper().is_infinite() {
+        return Vec::new();
+    }
+    let rows = LimitMethod::all().into_iter().map(|method| {
+        let mut seconds = f64::INFINITY;
+        let mut limit = f64::NAN;
+        for _ in 0..repetitions.max(1) {
+            let start = Instant::now();
+            limit = method.run(symbol, max_courant);
+            seconds = seconds.min(start.elapsed().as_secs_f64());
+        }
+        let relative_error = (limit - truth.value()).abs() / truth.value();
+        AccuracyRow { method, limit, relative_error, seconds }
+    });
+    rows.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::Kernel;
+    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+
+    #[test]
+    fn samples_err_upwards_and_proofs_within_their_bits() {
+        for of in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
+            let scheme = Discretisation::new(of, Kernel::CubicSpline, integer(3)).unwrap();
+            let rows = accuracy_study(&scheme.symbol(), &integer(30), 1);
+            assert_eq!(rows.len(), LimitMethod::all().len());
+            let truth = stable_set(&scheme.symbol(), &integer(0), &integer(30)).limit().value();
+            let mut sampled = Vec::new();
+            for row in rows {
+                match row.method {
+                    LimitMethod::Sampled(count) => {
+                        // More samples see more; none can be below the truth but by rounding.
+                        assert!(row.limit >= truth * (1.0 - 1e-14), "{row:?}");
+                        sampled.push((count, row.relative_error));
+                    }
+                    LimitMethod::Refined(count) => {
+                        // A flat extremum is found to half the digits, its value to nearly all.
+                        assert!(count < 64 || row.relative_error < 1e-9, "{row:?}");
+                    }
+                    LimitMethod::Proved(bits) => {
+                        assert!(row.relative_error <= 0.5f64.powi(bits as i32 - 1), "{row:?}");
+                    }
+                }
+            }
+            // Second order in the phase step: from 64 to 1024 samples a factor 256, if not exact at once.
+            let error = |wanted| sampled.iter().find(|(count, _)| *count == wanted).unwrap().1;
+            assert!(error(1024) < error(64) / 60.0 + 1e-12);
+        }
+    }
+}

@@ -1,0 +1,341 @@
+//! The stability margin `(1 + ε)² − |g|²` as an exact polynomial in the Courant number and the phase,
+//! with the factors taken out that vanish trivially.
+
+use crate::exact::common_factor::common_square_root;
+use crate::exact::cosine_series::CosineSeries;
+use crate::exact::enclosed_series::EnclosedSeries;
+use crate::exact::polynomial::{Polynomial, Ring};
+use crate::exact::rational::{Rational, common_denominator, integer, numerator_over};
+use crate::scheme::symbol::EnclosedSymbol;
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+use squared_gain::{squared_gain, squared_gain_radius};
+
+mod compiled;
+mod squared_gain;
+
+pub use compiled::{CompiledMargin, growth_from_excess};
+
+/// `(1 + ε)² − |g(φ)|² = s^a (1 − s)^b H(φ)² C^c Σ_j t^j p_j(φ)` with `s = (1 − cos φ)/2` and `t = C^stride`.
+///
+/// `s^a` is the factor every scheme has that keeps constants (`g(0) = 1`), taken out as often as it
+/// goes; `(1 − s)^b` is there when the shortest wave is neutral whatever the Courant number; `C^c` is
+/// there because nothing happens at `C = 0`; the stride is 2 where only even powers of `C` occur. What
+/// is left decides stability: the scheme is stable at `C` exactly when `P = Σ_j t^j p_j` is nowhere
+/// negative on `0 < φ < π`, nor at π.
+///
+/// The `p_j` are cosine series with integer coefficients over one common denominator.
+///
+/// ```
+/// use courant_analysis::{kernel::Kernel, stability::margin::Margin, exact::rational::integer};
+/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+/// let upwind = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
+/// let margin = Margin::new(&upwind.unwrap().symbol(), &integer(0));
+/// // 1 − |g|² = 4 s C (1 − C)
+/// assert_eq!((margin.phase_power(), margin.courant_power()), (1, 1));
+/// assert_eq!(margin.coefficient(0).at_zero(), integer(4));
+/// assert_eq!(margin.coefficient(1).at_zero(), integer(-4));
+/// ```
+#[derive(Debug, Clone)]
+pub struct Margin {
+    series: Vec<CosineSeries<BigInt>>,
+    radius: Vec<BigInt>,
+    denominator: BigInt,
+    phase_power: usize,
+    complement_power: usize,
+    neutral_waves: Polynomial<Rational>,
+    courant_power: usize,
+    stride: usize,
+    growth: Rational,
+}
+
+impl Margin {
+    /// The margin of a symbol for a permitted growth `ε ≥ 0` per step.
+    pub fn new(symbol: &EnclosedSymbol, growth: &Rational) -> Self {
+        let (mut series, denominator) = squared_gain(symbol);
+        let mut radius = squared_gain_radius(symbol);
+        let powers = radius.len().max(series.len());
+        radius.resize(powers, Rational::zero());
+        series.resize(powers, CosineSeries::new(Vec::new()));
+
+        // (1 + ε)² − |g|² over the common denominator.
+        let budget = (growth + integer(1)) * (growth + integer(1));
+        let denominator_total = &denominator * budget.denom();
+        for (power, values) in series.iter_mut().enumerate() {
+            let mut negated: Vec<BigInt> =
+                values.coefficients().iter().map(|value| -value * budget.denom()).collect();
+            if power == 0 {
+                negated.resize(negated.len().max(1), BigInt::zero());
+                negated[0] += budget.numer() * &denominator;
+            }
+            *values = CosineSeries::new(negated);
+        }
+        let mut margin = Self::whole(series, radius.iter(), denominator_total, growth.clone());
+        margin.take_out_courant_number();
+        if growth.is_zero() && symbol.keeps_constants() {
+            margin.take_out_phase(symbol.span());
+        }
+        margin.take_out_complement();
+        margin.take_out_neutral_waves();
+        margin
+    }
+
+    /// A polynomial `Σ_j t^j p_j(φ)` given as such, whose sign is to be decided: the factors that vanish
+    /// trivially are taken out as from `(1 + ε)² − |g|²`. Here `C` is `t` or, with stride 2, its root.
+    pub(crate) fn of_polynomial(powers: &[EnclosedSeries]) -> Self {
+        let centers: Vec<_> = powers.iter().map(EnclosedSeries::center).collect();
+        let denominator = common_denominator(centers.iter().flat_map(CosineSeries::coefficients));
+        let series =
+            centers.iter().map(|center| center.map(|v| numerator_over(v, &denominator))).collect();
+        let radius = powers.iter().map(EnclosedSeries::radius);
+        let mut margin = Self::whole(series, radius, denominator, Rational::zero());
+        margin.take_out_courant_number();
+        if margin.is_exact() {
+            margin.take_out_phase(margin.degree());
+        }
+        margin.take_out_complement();
+        margin.take_out_neutral_waves();
+        margin
+    }
+
+    /// `Σ_j C^j p_j` with no factor taken out; the radii are rounded up to the unit of the series.
+    fn whole<'a>(
+        series: Vec<CosineSeries<BigInt>>,
+        radius: impl Iterator<Item = &'a Rational>,
+        denominator: BigInt,
+        growth: Rational,
+    ) -> Self {
+        let unit = Rational::from(denominator.clone());
+        Self {
+            series,
+            radius: radius.map(|value| (value * &unit).ceil().to_integer()).collect(),
+            denominator,
+            phase_power: 0,
+            complement_power: 0,
+            neutral_waves: Polynomial::one(),
+            courant_power: 0,
+            stride: 1,
+            growth,
+        }
+    }
+
+    fn take_out_courant_number(&mut self) {
+        while self.series.last().is_some_and(CosineSeries::is_zero)
+            && self.radius.last().is_some_and(Zero::is_zero)
+        {
+            self.series.pop();
+            self.radius.pop();
+        }
+        let occupied: Vec<usize> = (0..self.series.len())
+            .filter(|&power| !self.series[power].is_zero() || !self.radius[power].is_zero())
+            .collect();
+        let Some(&first) = occupied.first() else { return };
+        let even = occupied.iter().all(|power| (power - first) % 2 == 0) && occupied.len() > 1;
+        self.courant_power = first;
+        self.stride = if even { 2 } else { 1 };
+        self.series = self.series.iter().skip(first).step_by(self.stride).cloned().collect();
+        self.radius = self.radius.iter().skip(first).step_by(self.stride).cloned().collect();
+    }
+
+    /// `span` is the largest order of a cosine in `|g|²`, errors of the data included.
+    fn take_out_phase(&mut self, span: usize) {
+        let exact = self.is_exact();
+        while !self.is_neutral() && (exact || self.phase_power == 0) {
+            let Some(divided) = self.series.iter().map(CosineSeries::divide_by_s).collect() else {
+                return;
+            };
+            // |cos mφ − 1|/s ≤ 2m², so an error of the series grows by at most twice its degree squared.
+            let stretch = BigInt::from(2 * span * span);
+            self.radius.iter_mut().for_each(|radius| *radius *= &stretch);
+            self.series = divided;
+            self.phase_power += 1;
+        }
+    }
+
+    fn take_out_complement(&mut self) {
+        while !self.is_neutral() && self.is_exact() {
+            let divided = self.series.iter().map(CosineSeries::divide_by_complement).collect();
+            let Some(divided) = divided else { return };
+            self.series = divided;
+            self.complement_power += 1;
+        }
+    }
+
+    fn take_out_neutral_waves(&mut self) {
+        if !self.is_exact() || self.is_neutral() || self.degree() < 2 {
+            return;
+        }
+        let powers: Vec<Polynomial<Rational>> = self
+            .series
+            .iter()
+            .map(|series| series.in_powers_of_s().map(|value| Rational::from(value.clone())))
+            .collect();
+        let root = common_square_root(&powers);
+        if root.degree() < Some(1) {
+            return;
+        }
+        let square = root.pow(2);
+        let quotients: Vec<_> = powers.iter().map(|power| power.divide(&square).0).collect();
+        let common = common_denominator(quotients.iter().flat_map(Polynomial::coefficients));
+        let degree = self.degree() - 2 * root.degree().unwrap_or(0);
+        self.series = quotients
+            .iter()
+            .map(|quotient| {
+                let integers = quotient.map(|v| numerator_over(v, &common));
+                CosineSeries::from_powers_of_s(&integers, degree)
+            })
+            .collect();
+        self.denominator *= common << (2 * degree);
+        self.neutral_waves = root;
+    }
+
+    /// The polynomial `H` in powers of `s` whose square was taken out: it vanishes at the waves that are
+    /// neutral at every Courant number. 1 when there are none.
+    pub fn neutral_waves(&self) -> &Polynomial<Rational> {
+        &self.neutral_waves
+    }
+
+    /// The power of `s = (1 − cos φ)/2` taken out.
+    pub fn phase_power(&self) -> usize {
+        self.phase_power
+    }
+
+    /// The power of `1 − s = (1 + cos φ)/2` taken out.
+    pub fn complement_power(&self) -> usize {
+        self.complement_power
+    }
+
+    /// The power of `C` taken out.
+    pub fn courant_power(&self) -> usize {
+        self.courant_power
+    }
+
+    /// `t = C^stride`: 1 or 2.
+    pub fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// The permitted growth per step `ε`.
+    pub fn growth(&self) -> &Rational {
+        &self.growth
+    }
+
+    /// Whether the scheme is exactly neutral at every Courant number and phase: `|g| = 1`.
+    pub fn is_neutral(&self) -> bool {
+        self.series.iter().all(CosineSeries::is_zero) && self.is_exact()
+    }
+
+    /// Whether all coefficients are exact.
+    pub fn is_exact(&self) -> bool {
+        self.radius.iter().all(Zero::is_zero)
+    }
+
+    /// The number of powers of `t`.
+    pub fn powers(&self) -> usize {
+        self.series.len()
+    }
+
+    /// The degree in `cos φ`.
+    pub fn degree(&self) -> usize {
+        degree(&self.series)
+    }
+
+    /// `p_j` as an exact cosine series.
+    pub fn coefficient(&self, power: usize) -> CosineSeries<Rational> {
+        self.series[power].map(|value| Rational::new(value.clone(), self.denominator.clone()))
+    }
+
+    /// The series `p_j` times [`denominator`](Self::denominator).
+    pub fn integer_series(&self) -> &[CosineSeries<BigInt>] {
+        &self.series
+    }
+
+    /// Bounds on how far each integer series may be from the true function.
+    pub fn integer_radius(&self) -> &[BigInt] {
+        &self.radius
+    }
+
+    /// The common denominator, positive.
+    pub fn denominator(&self) -> &BigInt {
+        &self.denominator
+    }
+}
+
+/// The largest degree in `cos φ` among the powers of `t`.
+fn degree<T: Ring>(series: &[CosineSeries<T>]) -> usize {
+    series.iter().map(CosineSeries::degree).max().unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::{ratio, to_f64};
+    use crate::kernel::Kernel;
+    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use proptest::prelude::*;
+
+    fn symbol(scheme: AdvectionScheme, kernel: Kernel, ratio: Rational) -> EnclosedSymbol {
+        Discretisation::new(scheme, kernel, ratio).unwrap().symbol()
+    }
+
+    #[test]
+    fn structure_is_recognised() {
+        let shape = |scheme, kernel, ratio| {
+            let margin = Margin::new(&symbol(scheme, kernel, ratio), &integer(0));
+            (margin.phase_power(), margin.courant_power(), margin.stride(), margin.powers())
+        };
+        use AdvectionScheme::{EulerSph, GodunovSph, LaxWendroffSph};
+        for kernel in Kernel::ALL {
+            assert_eq!(shape(GodunovSph, kernel, integer(2)), (1, 1, 1, 2), "{kernel}");
+        }
+        assert_eq!(shape(EulerSph, Kernel::Gaussian, integer(2)), (1, 2, 1, 1));
+        // Fully consistent: fourth order in φ. Not keeping constants: no factor at all.
+        assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, integer(2)), (2, 2, 2, 2));
+        assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, ratio(13, 10)), (0, 2, 2, 2));
+        assert_eq!(shape(LaxWendroffSph, Kernel::Gaussian, integer(2)), (0, 2, 2, 2));
+        // At ratio 2 the cubic spline does not see the shortest wave: g(π) = 1 at every C.
+        let cubic = symbol(LaxWendroffSph, Kernel::CubicSpline, integer(2));
+        assert_eq!(Margin::new(&cubic, &integer(0)).complement_power(), 2);
+        // At ratio 3 it does not see φ = 2π/3, s = 3/4, and sees nothing of it to fourth order.
+        let cubic = symbol(LaxWendroffSph, Kernel::CubicSpline, integer(3));
+        let neutral = Margin::new(&cubic, &integer(0)).neutral_waves().clone();
+        assert!(neutral.evaluate(&ratio(3, 4)).is_zero(), "{neutral:?}");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        #[test]
+        fn the_margin_is_one_minus_the_squared_gain(
+            numerator in 5i64..60, courant_number in 0.0f64..5.0, phase in 0.0f64..3.2,
+            growth in 0i64..3
+        ) {
+            for scheme in AdvectionScheme::ALL {
+                for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
+                    let symbol = symbol(scheme, kernel, ratio(numerator, 10));
+                    let growth = ratio(growth, 10);
+                    let margin = Margin::new(&symbol, &growth).compile();
+                    let gain = symbol.center().compile().amplification(courant_number, phase);
+                    let direct = (1.0 + to_f64(&growth)).powi(2) - gain.norm_sqr();
+                    // Rounding of sums of moduli at most (1 + C)⁴.
+                    let tolerance = 1e-13 * (1.0 + courant_number).powi(4);
+                    prop_assert!((margin.at(courant_number, phase) - direct).abs() < tolerance);
+                    prop_assert!(
+                        (margin.growth(courant_number, phase) - (gain.norm() - 1.0)).abs()
+                            < tolerance.max(tolerance.sqrt() * f64::from(gain.norm() < 1e-6))
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn long_waves_lose_no_digits() {
+        // 1 − |g|² = 4 s C (1 − C) for the upwind scheme, at a phase where the difference of squares
+        // would have no digit left.
+        let upwind = symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
+        let margin = Margin::new(&upwind, &integer(0)).compile();
+        let phase: f64 = 1e-9;
+        let expected = 4.0 * (0.5 * phase).sin().powi(2) * 0.25;
+        assert!((margin.at(0.5, phase) / expected - 1.0).abs() < 4.0 * f64::EPSILON);
+    }
+}

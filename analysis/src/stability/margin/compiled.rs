@@ -1,0 +1,100 @@
+//! The stability margin in `f64`, and growth without cancellation.
+
+use super::{Margin, degree};
+use crate::exact::cosine_series::CosineSeries;
+use crate::exact::rational::{quotient_to_f64, ratio, to_f64};
+use num_bigint::BigInt;
+
+/// [`Margin`] in `f64`. Near `φ = 0` it has no cancellation: the small factor stands outside.
+#[derive(Debug, Clone)]
+pub struct CompiledMargin {
+    series: Vec<CosineSeries<f64>>,
+    phase_power: i32,
+    complement_power: i32,
+    neutral_waves: CosineSeries<f64>,
+    courant_power: i32,
+    stride: i32,
+    budget: f64,
+}
+
+impl Margin {
+    /// The numeric form, each coefficient correctly rounded.
+    pub fn compile(&self) -> CompiledMargin {
+        let rounded = |value: &BigInt| quotient_to_f64(value, &self.denominator);
+        CompiledMargin {
+            series: self.series.iter().map(|series| series.map(rounded)).collect(),
+            phase_power: self.phase_power as i32,
+            complement_power: self.complement_power as i32,
+            neutral_waves: {
+                let degree = self.neutral_waves.degree().unwrap_or(0);
+                let scale = ratio(1, 4).pow(degree as i32);
+                CosineSeries::from_powers_of_s(&self.neutral_waves, degree)
+                    .map(|value| to_f64(&(value * &scale)))
+            },
+            courant_power: self.courant_power as i32,
+            stride: self.stride as i32,
+            budget: (1.0 + to_f64(&self.growth)).powi(2),
+        }
+    }
+}
+
+impl CompiledMargin {
+    /// `[p_0(φ), p_1(φ), …]` written into `values`; `phase` in radians.
+    pub fn powers_at(&self, phase: f64, values: &mut Vec<f64>) {
+        let cosine = phase.cos();
+        values.clear();
+        values.extend(self.series.iter().map(|series| series.at_cosine(cosine)));
+    }
+
+    /// The factor `s^a (1 − s)^b H²`.
+    pub fn phase_factor(&self, phase: f64) -> f64 {
+        let (sine, cosine) = (0.5 * phase).sin_cos();
+        let factor = sine.powi(2 * self.phase_power) * cosine.powi(2 * self.complement_power);
+        match self.neutral_waves.coefficients() {
+            [_one] => factor,
+            _ => factor * self.neutral_waves.at_cosine(phase.cos()).powi(2),
+        }
+    }
+
+    /// The factor `C^c`.
+    pub fn courant_factor(&self, courant_number: f64) -> f64 {
+        courant_number.powi(self.courant_power)
+    }
+
+    /// `t = C^stride`.
+    pub fn parameter(&self, courant_number: f64) -> f64 {
+        courant_number.powi(self.stride)
+    }
+
+    /// The number of powers of `t`.
+    pub fn powers(&self) -> usize {
+        self.series.len()
+    }
+
+    /// The degree in `cos φ`.
+    pub fn degree(&self) -> usize {
+        degree(&self.series)
+    }
+
+    /// `(1 + ε)² − |g(φ)|²`.
+    pub fn at(&self, courant_number: f64, phase: f64) -> f64 {
+        let (cosine, parameter) = (phase.cos(), self.parameter(courant_number));
+        let sum = self
+            .series
+            .iter()
+            .rev()
+            .fold(0.0, |sum, series| sum * parameter + series.at_cosine(cosine));
+        self.phase_factor(phase) * self.courant_factor(courant_number) * sum
+    }
+
+    /// `|g| − 1` without cancellation.
+    pub fn growth(&self, courant_number: f64, phase: f64) -> f64 {
+        growth_from_excess(self.budget - 1.0 - self.at(courant_number, phase))
+    }
+}
+
+/// `√(1 + x) − 1` without cancellation: `|g| − 1` from `x = |g|² − 1`.
+pub fn growth_from_excess(excess: f64) -> f64 {
+    let excess = excess.max(-1.0);
+    excess / (1.0 + (1.0 + excess).sqrt())
+}

@@ -1,0 +1,26 @@
+//! Which time steps are stable: sign decisions, stable sets, limits and verdicts, each with its evidence.
+
+mod accuracy_study;
+pub(crate) mod critical;
+mod critical_polynomial;
+mod cylinder;
+mod limit;
+pub mod margin;
+mod monotonicity;
+mod pointwise;
+mod sampled;
+mod stable_set;
+pub mod verdict;
+pub mod weak_instability;
+
+pub use accuracy_study::{AccuracyRow, LimitMethod, accuracy_study};
+pub use limit::{Cause, Evidence, ExactValue, Limit};
+pub(crate) use monotonicity::enclosed_coefficients;
+pub use monotonicity::monotonicity_limit;
+pub use pointwise::{PointVerdict, decide_at};
+pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
+pub use stable_set::{
+    DEFAULT_BITS, StableInterval, StableSet, growth_limit, growth_set_beyond, stability_limit,
+    stable_set, stable_set_to,
+};
+pub(crate) use stable_set::{MAX_BOXES, phase_of, phase_parameter, stable_set_of};

@@ -1,0 +1,182 @@
+//! The stable set of Courant numbers, decided in exact arithmetic.
+//!
+//! Floating point only guesses where stability ends. Every interval that is reported is then proved
+//! stable (no Bernstein coefficient of the margin is negative) or unstable (one phase whose margin is
+//! negative throughout), and a guess that does not stand is replaced by exact bisection.
+
+mod cells;
+mod edge;
+mod search;
+mod stable_stretch;
+mod unstable_stretch;
+
+use super::{Evidence, ExactValue, Limit};
+use crate::exact::bernstein::Work;
+use crate::exact::rational::{Rational, from_f64, to_f64};
+use crate::scheme::symbol::EnclosedSymbol;
+use crate::stability::margin::Margin;
+use num_traits::{One, Zero};
+use search::Search;
+
+/// Boxes one decision may look at.
+pub(crate) const MAX_BOXES: usize = 2000;
+
+/// The relative width of an enclosure when no other is asked for, as a power of one half: that of an `f64`.
+pub const DEFAULT_BITS: u32 = 52;
+
+/// A maximal interval of stable Courant numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StableInterval {
+    /// Where it begins; exactly 0 for the first one.
+    pub from: Limit,
+    /// Where it ends.
+    pub to: Limit,
+}
+
+/// All stable Courant numbers within `[0, max_courant]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StableSet {
+    /// The stable intervals of positive length, ascending.
+    pub intervals: Vec<StableInterval>,
+    /// Intervals of Courant numbers that could not be decided.
+    pub undecided: Vec<(f64, f64)>,
+    /// The wave that grows fastest as `C → 0` when no small Courant number is stable, in radians.
+    pub immediately_unstable_phase: Option<f64>,
+    /// `|g| = 1` for every wave and every Courant number.
+    pub neutral: bool,
+    /// What stands behind the answer.
+    pub evidence: Evidence,
+    /// How much work it took.
+    pub work: Work,
+}
+
+impl StableSet {
+    /// The end of the stable interval that begins at 0; exactly 0 when there is none, and `[0, ∞]` when
+    /// nothing could be decided from 0 on.
+    pub fn limit(&self) -> Limit {
+        match self.intervals.first() {
+            Some(first) if first.from.upper() == 0.0 => first.to.clone(),
+            _ if self.undecided.first().is_some_and(|open| open.0 == 0.0) => {
+                Limit::between(0.0, f64::INFINITY, Evidence::Undecided)
+            }
+            _ => {
+                let zero = Limit::exactly(ExactValue::Fraction(Rational::zero()), self.evidence);
+                match self.immediately_unstable_phase {
+                    Some(phase) => zero.at_phase(phase),
+                    None => zero,
+                }
+            }
+        }
+    }
+
+    /// Whether a Courant number lies in a stable interval; at an end that is enclosed and not exact,
+    /// only the inner side counts.
+    pub fn contains(&self, courant_number: &Rational) -> bool {
+        courant_number.is_zero()
+            || self.intervals.iter().any(|interval| {
+                let above =
+                    interval.from.certain_upper().is_some_and(|from| *courant_number >= from);
+                let below = interval.to.certain_lower().is_some_and(|to| *courant_number <= to);
+                above && below
+            })
+    }
+}
+
+/// The stability limit `|g| ≤ 1` within `[0, max_courant]`.
+///
+/// ```
+/// use courant_analysis::{kernel::Kernel, stability::{Cause, Evidence, stability_limit}};
+/// use courant_analysis::exact::rational::{integer, ratio};
+/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+/// let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, ratio(2, 1));
+/// let limit = stability_limit(&scheme.unwrap().symbol(), &integer(10));
+/// assert_eq!(limit.exact().unwrap().to_string(), "15/8");
+/// assert_eq!((limit.evidence(), limit.cause()), (Evidence::Proved, Some(Cause::LongWave)));
+/// ```
+pub fn stability_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Limit {
+    stable_set(symbol, &Rational::zero(), max_courant).limit()
+}
+
+/// The largest Courant number within `[0, max_courant]` up to which `|g| ≤ 1 + growth`.
+pub fn growth_limit(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rational) -> Limit {
+    stable_set(symbol, growth, max_courant).limit()
+}
+
+/// Every Courant number in `[0, max_courant]` with `|g| ≤ 1 + growth` for all waves.
+pub fn stable_set(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rational) -> StableSet {
+    stable_set_to(symbol, growth, max_courant, DEFAULT_BITS)
+}
+
+/// [`stable_set`] with ends enclosed to about `2^−bits` of their size. Limits that are found exactly, or as roots of
+/// a polynomial, are known to any precision all the same; the others keep what was asked for, as far as the
+/// data go ([`Limit::enclosure`]).
+pub fn stable_set_to(
+    symbol: &EnclosedSymbol,
+    growth: &Rational,
+    max_courant: &Rational,
+    bits: u32,
+) -> StableSet {
+    let strict =
+        search(&Margin::new(symbol, &Rational::zero()), max_courant, &Rational::zero(), bits);
+    if growth.is_zero() {
+        return strict;
+    }
+    let mut set = growth_set_beyond(symbol, growth, &strict.limit(), max_courant, bits);
+    set.work += strict.work;
+    set
+}
+
+/// [`stable_set_to`] for a growth budget, when the strict limit is known: what does not grow at all does not grow too fast, and only the
+/// rest is searched.
+pub fn growth_set_beyond(
+    symbol: &EnclosedSymbol,
+    growth: &Rational,
+    strict: &Limit,
+    max_courant: &Rational,
+    bits: u32,
+) -> StableSet {
+    let known = strict.certain_lower().unwrap_or_default();
+    search(&Margin::new(symbol, growth), max_courant, &known, bits)
+}
+
+/// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
+pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
+    search(margin, max_courant, &Rational::zero(), DEFAULT_BITS)
+}
+
+fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) -> StableSet {
+    let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
+    if margin.is_neutral() {
+        return StableSet {
+            intervals: vec![StableInterval {
+                from: Limit::exactly(ExactValue::Fraction(Rational::zero()), evidence),
+                to: Limit::beyond(max_courant, evidence),
+            }],
+            undecided: Vec::new(),
+            immediately_unstable_phase: None,
+            neutral: true,
+            evidence,
+            work: Work::default(),
+        };
+    }
+    Search::new(margin, max_courant, bits).knowing(known).run(max_courant, evidence)
+}
+
+/// `s = sin²(φ/2)`, the exact value of a nearby float.
+pub(crate) fn phase_parameter(phase: f64) -> Rational {
+    if phase <= 0.0 {
+        return Rational::zero();
+    }
+    if phase >= std::f64::consts::PI {
+        return Rational::one();
+    }
+    from_f64((0.5 * phase).sin().powi(2)).expect("a square of a sine is finite")
+}
+
+/// `φ = 2 arcsin √s`.
+pub(crate) fn phase_of(s: &Rational) -> f64 {
+    2.0 * to_f64(s).sqrt().min(1.0).asin()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,231 @@
+//! The walk along the Courant numbers: stable stretch, edge, unstable stretch, edge, …
+
+use super::edge::Edge;
+use super::stable_stretch::Stretch;
+use super::{DEFAULT_BITS, MAX_BOXES, StableInterval, StableSet};
+use crate::exact::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
+use crate::exact::rational::{Rational, integer, to_f64};
+use crate::exact::real_roots::power_of_two;
+use crate::stability::critical::{UnstableInterval, resolving_phases, sampled_unstable_set};
+use crate::stability::critical_polynomial::CriticalPolynomials;
+use crate::stability::margin::{CompiledMargin, Margin};
+use crate::stability::{Evidence, Limit};
+use num_bigint::BigInt;
+use num_traits::Zero;
+use std::cell::OnceCell;
+
+/// Boxes the first decision may look at, and pieces the range of `t` may be cut into, for a margin of
+/// higher than first degree in `t`.
+const FIRST_BOXES: usize = 250;
+const MAX_PIECES: usize = 24;
+
+/// The last relative width of an enclosure that is tried, as a power of one half.
+const LAST_WIDTH: u32 = 22;
+
+/// How many stretches of one kind are followed before the rest is left undecided.
+const MAX_STRETCHES: usize = 64;
+
+/// A point `(s, t)` where the margin is negative.
+pub(super) type Counterexample = Box<(Rational, Rational)>;
+
+pub(super) struct Search<'a> {
+    pub(super) margin: &'a Margin,
+    pub(super) form: MarginForm,
+    pub(super) compiled: CompiledMargin,
+    pub(super) guesses: Vec<UnstableInterval>,
+    pub(super) end: Rational,
+    /// The relative width of the ends that is asked for, as a power of one half.
+    pub(super) bits: u32,
+    /// Up to this `t` everything is known to be stable.
+    known: Rational,
+    pub(super) critical: OnceCell<Option<CriticalPolynomials>>,
+    pub(super) touches: usize,
+    pub(super) work: Work,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(margin: &'a Margin, max_courant: &Rational, bits: u32) -> Self {
+        let compiled = margin.compile();
+        let end = max_courant.pow(margin.stride() as i32);
+        let guesses =
+            sampled_unstable_set(&compiled, resolving_phases(margin.degree()), to_f64(&end));
+        let bits = bits.max(4).min(justified_bits(margin).max(DEFAULT_BITS));
+        Self {
+            margin,
+            form: MarginForm::new(margin).resolving(bits),
+            compiled,
+            guesses,
+            known: Rational::zero(),
+            end,
+            bits,
+            critical: OnceCell::new(),
+            touches: 0,
+            work: Work::default(),
+        }
+    }
+
+    /// Starts from a Courant number up to which stability is known.
+    pub(super) fn knowing(self, courant_number: &Rational) -> Self {
+        let t = courant_number.pow(self.margin.stride() as i32);
+        Self { known: t.min(self.end.clone()), ..self }
+    }
+
+    pub(super) fn run(mut self, max_courant: &Rational, evidence: Evidence) -> StableSet {
+        let mut intervals = Vec::new();
+        let mut undecided = Vec::new();
+        let mut immediately_unstable_phase = None;
+        let mut from = Edge::zero();
+        let mut reached = self.known.clone();
+        for _ in 0..MAX_STRETCHES {
+            let witness = match self.stable_stretch(&reached) {
+                Stretch::Continues => {
+                    let to = Limit::beyond(max_courant, evidence);
+                    let from = self.limit(&from, evidence);
+                    intervals.push(StableInterval { from, to });
+                    break;
+                }
+                Stretch::Undecided(lower, upper) => {
+                    // A sliver is stepped over; otherwise all of the rest is open.
+                    let widest = LAST_WIDTH.min(self.bits);
+                    let sliver = &upper - &lower <= &upper * power_of_half(widest);
+                    let steps_over = sliver && lower > from.upper;
+                    let open =
+                        self.courant_numbers(&lower, if steps_over { &upper } else { &self.end });
+                    if lower > from.upper {
+                        // Nothing is known to grow above: an end of what is proved, not of what is stable.
+                        let to = Limit::between(open.0, open.1, Evidence::Undecided);
+                        let from = self.limit(&from, evidence);
+                        intervals.push(StableInterval { from, to });
+                    }
+                    undecided.push(open);
+                    if !steps_over {
+                        break;
+                    }
+                    reached = upper.clone();
+                    from = Edge { lower, upper, s: from.s };
+                    continue;
+                }
+                Stretch::Empty(s) if reached > from.upper => {
+                    // Stable up to here, as was known, and not above.
+                    let edge =
+                        Edge { lower: reached.clone(), upper: reached.clone(), s: s.clone() };
+                    let (from_limit, to) =
+                        (self.limit(&from, evidence), self.limit(&edge, evidence));
+                    intervals.push(StableInterval { from: from_limit, to });
+                    from = edge;
+                    s
+                }
+                Stretch::Empty(s) => {
+                    if from.upper.is_zero() {
+                        immediately_unstable_phase = Some(self.fastest_growing_phase());
+                    }
+                    s
+                }
+                Stretch::Ends(edge) => {
+                    let s = edge.s.clone();
+                    let (from_limit, to) =
+                        (self.limit(&from, evidence), self.limit(&edge, evidence));
+                    intervals.push(StableInterval { from: from_limit, to });
+                    from = edge;
+                    s
+                }
+            };
+            match self.unstable_stretch(&from.upper, witness) {
+                (None, gaps) => {
+                    undecided.extend(gaps);
+                    break;
+                }
+                (Some(edge), gaps) => {
+                    undecided.extend(gaps);
+                    reached = edge.upper.clone();
+                    from = edge;
+                }
+            }
+        }
+        StableSet {
+            intervals,
+            undecided,
+            immediately_unstable_phase,
+            neutral: false,
+            evidence,
+            work: self.work,
+        }
+    }
+
+    /// The relative widths to try, as powers of one half.
+    pub(super) fn widths(&self) -> impl Iterator<Item = u32> + use<> {
+        let last = LAST_WIDTH.min(self.bits);
+        std::iter::successors(Some(self.bits), |bits| Some(bits - (bits / 16).max(3)))
+            .take_while(move |&bits| bits >= last)
+    }
+
+    /// `Ok` when `[from, to]` is proved stable, else a counterexample `(s, t)` if one was met.
+    pub(super) fn is_stable(
+        &mut self,
+        from: &Rational,
+        to: &Rational,
+    ) -> Result<(), Option<Counterexample>> {
+        // Boxes are halved in `s` only, which suffices where the margin is at most linear in `t`. Of a
+        // higher degree its Bernstein coefficients in `t` may stay negative; then `t` is halved too.
+        // A touching point is halved down to as many bits as the ends have.
+        let most_boxes = MAX_BOXES.max(8 * self.bits as usize);
+        let (mut pieces, mut boxes) =
+            if self.margin.powers() <= 2 { (1, most_boxes) } else { (MAX_PIECES, FIRST_BOXES) };
+        let mut pending = vec![(from.clone(), to.clone())];
+        while let Some((lower, upper)) = pending.pop() {
+            let (sign, work) = self.form.sign(&lower, &upper, boxes);
+            self.work += work;
+            pieces -= 1;
+            match sign {
+                Sign::NowhereNegative => {}
+                Sign::SomewhereNegative { phase_parameter, courant_parameter } => {
+                    return Err(Some(Box::new((phase_parameter, courant_parameter))));
+                }
+                Sign::Undecided if pieces <= pending.len() + 1 => return Err(None),
+                Sign::Undecided => {
+                    let middle = (&lower + &upper) / integer(2);
+                    pending.push((middle.clone(), upper));
+                    pending.push((lower, middle));
+                    boxes = (boxes * 2).min(most_boxes);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the wave with this `s` is unstable on some interval `(from, from + δ)`.
+    pub(super) fn is_unstable_just_above(&mut self, from: &Rational, s: &Rational) -> bool {
+        self.work.evaluations += 1;
+        let values = self.form.integers_at(s, 1);
+        let step =
+            if from.is_zero() { &self.end * power_of_half(60) } else { from * power_of_half(60) };
+        is_negative_integer_polynomial(&values, from, &(from + step)) == Some(true)
+    }
+
+    /// The wave that grows fastest as `C → 0`.
+    fn fastest_growing_phase(&self) -> f64 {
+        let mut powers = Vec::new();
+        resolving_phases(self.margin.degree())
+            .map(|phase| {
+                self.compiled.powers_at(phase, &mut powers);
+                (phase, powers[0] * self.compiled.phase_factor(phase))
+            })
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .map_or(0.0, |(phase, _)| phase)
+    }
+}
+
+/// How many bits the data settle: their size over their uncertainty.
+fn justified_bits(margin: &Margin) -> u32 {
+    let largest = |values: &mut dyn Iterator<Item = &BigInt>| values.map(BigInt::bits).max();
+    let radius = largest(&mut margin.integer_radius().iter()).unwrap_or(0);
+    let size = margin.integer_series().iter().flat_map(|series| series.coefficients());
+    match (radius, largest(&mut size.into_iter())) {
+        (0, _) | (_, None) => u32::MAX,
+        (radius, Some(size)) => u32::try_from(size.saturating_sub(radius)).unwrap_or(u32::MAX),
+    }
+}
+
+pub(super) fn power_of_half(bits: u32) -> Rational {
+    power_of_two(-i64::from(bits))
+}

@@ -1,0 +1,187 @@
+//! Stable stretches: proved up to the edge that floating point guesses, or to the one that bisection finds.
+
+use super::edge::Edge;
+use super::phase_parameter;
+use super::search::{Counterexample, Search, power_of_half};
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, integer, simplest_between, to_f64};
+use crate::exact::real_roots::real_roots;
+use crate::stability::critical::refine;
+use num_traits::Zero;
+
+/// Bisection towards 0 stops at this power of one half of the range.
+const FLOOR_BITS: u32 = 120;
+
+/// How many touching waves are passed in one search.
+const MAX_TOUCHES: usize = 16;
+
+/// How a stable stretch ends.
+pub(super) enum Stretch {
+    /// At this edge.
+    Ends(Edge),
+    /// Not within the range.
+    Continues,
+    /// It has no length: instability begins at once, seen by the wave with this `s`.
+    Empty(Rational),
+    /// Not decided between the two values of `t`.
+    Undecided(Rational, Rational),
+}
+
+impl Search<'_> {
+    /// Proves `[from, end of the stretch]` stable.
+    pub(super) fn stable_stretch(&mut self, from: &Rational) -> Stretch {
+        let start = to_f64(from);
+        let guess = self
+            .guesses
+            .iter()
+            .find(|unstable| unstable.to.parameter > start * (1.0 + 1e-12))
+            .map(|unstable| unstable.from);
+        let Some(guess) = guess else {
+            let end = self.end.clone();
+            return match self.is_stable(from, &end) {
+                Ok(()) => Stretch::Continues,
+                Err(counterexample) => self.bisect(from, counterexample),
+            };
+        };
+        if guess.parameter <= start * (1.0 + 1e-12) {
+            let s = phase_parameter(guess.phase);
+            if self.is_unstable_just_above(from, &s) {
+                return Stretch::Empty(s);
+            }
+        }
+        let refined = refine(&self.compiled, guess, true, to_f64(&self.end));
+        for s in [integer(0), integer(1)] {
+            // An end of the phase range binds: its critical value is a root of a polynomial in t.
+            let Some(root) = self.root_near(&s, refined.parameter, 1e-9) else { continue };
+            let mut lowers = vec![root.lower.clone()];
+            if !self.margin.is_exact() {
+                // The lowered margin vanishes at this very end, which boxes need not see, and the data may not
+                // justify what is asked for.
+                lowers.extend(
+                    self.widths().map(|bits| &root.lower * (integer(1) - power_of_half(bits - 2))),
+                );
+            }
+            for lower in lowers {
+                if lower > *from
+                    && self.is_unstable_just_above(&root.upper, &s)
+                    && self.is_stable(from, &lower).is_ok()
+                {
+                    return Stretch::Ends(Edge { lower, upper: root.upper, s });
+                }
+            }
+        }
+        let mut counterexample = None;
+        if let Some(edge) = self.interior_edge(refined) {
+            for bits in self.widths() {
+                let lower = &edge.upper * (integer(1) - power_of_half(bits));
+                if lower <= *from {
+                    break;
+                }
+                match self.is_stable(from, &lower) {
+                    Ok(()) => return Stretch::Ends(Edge { lower, ..edge }),
+                    // Neither proved nor refuted, a wave may touch: the critical polynomials know.
+                    Err(None) if self.critical_polynomials().is_some() => {
+                        counterexample = Some(None);
+                        break;
+                    }
+                    Err(found) => counterexample = Some(found),
+                }
+            }
+        }
+        match counterexample {
+            Some(found) => self.bisect(from, found),
+            None => {
+                let end = self.end.clone();
+                match self.is_stable(from, &end) {
+                    Ok(()) => Stretch::Continues,
+                    Err(found) => self.bisect(from, found),
+                }
+            }
+        }
+    }
+
+    /// Finds the end of a stable stretch by bisection alone, from a counterexample `(s, t)` above it or
+    /// from nothing but the failure to prove the rest of the range stable.
+    fn bisect(&mut self, from: &Rational, counterexample: Option<Counterexample>) -> Stretch {
+        if counterexample.is_none()
+            && let Some(stretch) = self.stretch_of_cells(from)
+        {
+            return stretch;
+        }
+        let (mut witness, mut upper) = match counterexample.map(|found| *found) {
+            Some((s, t)) => (Some(s), t),
+            None => (None, self.end.clone()),
+        };
+        let mut lower = from.clone();
+        let floor = &self.end * power_of_half(FLOOR_BITS);
+        while &upper - &lower > &upper * power_of_half(self.bits) {
+            if lower.is_zero() {
+                if let Some(s) = witness.take_if(|s| self.is_unstable_just_above(&lower, s)) {
+                    return Stretch::Empty(s);
+                }
+                if upper < floor {
+                    break;
+                }
+            }
+            let middle = (&lower + &upper) / integer(2);
+            match self.is_stable(&lower, &middle) {
+                Ok(()) => lower = middle,
+                Err(Some(found)) => {
+                    upper = found.1.min(middle);
+                    witness = Some(found.0);
+                }
+                Err(None) => {
+                    witness = None;
+                    upper = middle;
+                }
+            }
+            if upper <= *from {
+                break;
+            }
+        }
+        match witness {
+            Some(s) if upper <= *from => Stretch::Empty(s),
+            Some(s) if self.is_unstable_just_above(&upper, &s) => {
+                Stretch::Ends(Edge { lower, upper, s })
+            }
+            Some(s) if !self.margin.is_exact() => match self.certainly_unstable_from(&upper, &s) {
+                Some(upper) => Stretch::Ends(Edge { lower, upper, s }),
+                None => Stretch::Undecided(lower, self.end.clone()),
+            },
+            _ => self.pass_touching_wave(lower, upper),
+        }
+    }
+
+    /// Goes on beyond a value of `t` where the margin vanishes without being negative: boxes with their
+    /// corner there decide what boxes across it cannot.
+    fn pass_touching_wave(&mut self, lower: Rational, upper: Rational) -> Stretch {
+        if lower >= upper || self.touches == MAX_TOUCHES {
+            return Stretch::Undecided(lower, upper);
+        }
+        self.touches += 1;
+        let touch = simplest_between(&lower, &upper);
+        let beyond = (&touch * (integer(1) + power_of_half(10))).min(self.end.clone());
+        if touch.is_zero()
+            || self.is_stable(&lower, &touch).is_err()
+            || self.is_stable(&touch, &beyond).is_err()
+        {
+            return Stretch::Undecided(lower, upper);
+        }
+        if beyond == self.end {
+            return Stretch::Continues;
+        }
+        match self.stable_stretch(&beyond) {
+            Stretch::Empty(s) => Stretch::Ends(Edge { lower: beyond.clone(), upper: beyond, s }),
+            other => other,
+        }
+    }
+
+    /// Where above `from` the wave with this `s` begins to be unstable for all data within the radii.
+    fn certainly_unstable_from(&mut self, from: &Rational, s: &Rational) -> Option<Rational> {
+        self.work.evaluations += 1;
+        let raised = self.form.integers_at(s, 1).into_iter().map(Rational::from).collect();
+        let roots = real_roots(&Polynomial::new(raised), from, &self.end, self.root_bits());
+        let mut ends = roots.into_iter().map(|root| root.upper);
+        ends.find(|end| self.is_unstable_just_above(end, s))
+    }
+}

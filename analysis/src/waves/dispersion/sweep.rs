@@ -1,0 +1,343 @@
+//! Sweeps over wave number, smoothing ratio, viscosity and time step: plain arrays, computed in parallel.
+//!
+//! Every value depends on its own place alone, so the results are the same bits for any number of
+//! threads. A callback hears of every finished row and may end the sweep.
+
+use super::mode::Mode;
+use super::stable_step::SampledStep;
+use super::wave_errors::{AmplitudeTime, amplitude, damping_per_wavelength, phase_error};
+use super::wave_scheme::{CompiledWaves, WaveScheme};
+use crate::exact::rational::{Rational, integer};
+use crate::kernel::LatticeSums;
+use crate::kernel::lattice::RatioOutOfRange;
+use crate::scheme::integrator::Integrator;
+use crate::waves::sweep::{Progress, SweepError, with_progress};
+use ndarray::{Array2, Array3};
+use rayon::prelude::*;
+
+/// `count` values from `from` to `to` inclusive, evenly spaced and exact.
+///
+/// ```
+/// use courant_analysis::waves::dispersion::sweep::even_axis;
+/// use courant_analysis::exact::rational::{integer, ratio};
+/// let axis = even_axis(&integer(1), &ratio(3, 2), 6);
+/// assert_eq!((axis[1].clone(), axis[5].clone()), (ratio(11, 10), ratio(3, 2)));
+/// ```
+pub fn even_axis(from: &Rational, to: &Rational, count: usize) -> Vec<Rational> {
+    let steps = integer(count.saturating_sub(1).max(1) as i64);
+    (0..count).map(|index| from + (to - from) * integer(index as i64) / &steps).collect()
+}
+
+/// What is looked at of the forward wave of a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// `|cκ − Re ω|/(cκ)`: (57). It is 1 where the wave does not travel.
+    PhaseError,
+    /// `exp(Im ω t)`: (56).
+    Amplitude(AmplitudeTime),
+    /// `Re ω/(cκ)`.
+    Speed,
+    /// `−2π Im ω/(cκ)`.
+    DampingPerWavelength,
+    /// `b/(2ω0)`: above 1 the mode is over-damped, so its contour at 1 bounds that region. Infinite
+    /// where nothing restores a damped mode, NaN where the lattice itself is unstable.
+    DampingRatio,
+}
+
+impl Quantity {
+    /// The value for a mode of phase above zero.
+    #[inline]
+    pub fn of(self, mode: &Mode) -> f64 {
+        match self {
+            Self::DampingRatio if mode.damping == 0.0 && mode.restoring >= 0.0 => 0.0,
+            Self::DampingRatio => 0.5 * mode.damping / mode.restoring.sqrt(),
+            Self::PhaseError => phase_error(mode.frequencies().forward, mode.phase),
+            Self::Amplitude(time) => amplitude(mode.frequencies().forward, mode.phase, time),
+            Self::Speed => mode.frequencies().forward.re / mode.phase,
+            Self::DampingPerWavelength => {
+                damping_per_wavelength(mode.frequencies().forward, mode.phase)
+            }
+        }
+    }
+}
+
+/// Fills `rows × width` values row by row.
+fn fill_rows<R: Sync>(
+    rows: &[R],
+    width: usize,
+    progress: Progress<'_>,
+    fill: impl Fn(&R, &mut [f64]) -> Result<(), SweepError> + Sync,
+) -> Result<Vec<f64>, SweepError> {
+    let mut values = vec![0.0; rows.len() * width];
+    if width == 0 {
+        return Ok(values);
+    }
+    with_progress(values.par_chunks_mut(width).zip(rows), progress, |(target, row)| {
+        fill(row, target)
+    })?;
+    Ok(values)
+}
+
+fn plane(rows: usize, columns: usize, values: Vec<f64>) -> Array2<f64> {
+    Array2::from_shape_vec((rows, columns), values).expect("one value for every place")
+}
+
+/// `scheme` at another smoothing ratio.
+fn at_ratio(scheme: &WaveScheme, ratio: &Rational) -> Result<WaveScheme, RatioOutOfRange> {
+    let sums = LatticeSums::new(scheme.sums().kernel(), ratio, scheme.sums().density())?;
+    let moved = WaveScheme::with_sums(scheme.method().clone(), sums);
+    Ok(moved.with_pressure(scheme.pressure().clone()))
+}
+
+/// A quantity on the (κ, h) plane, `[ratio, phase]`; of `scheme` all but the ratio is used. Phases are
+/// `κΔ > 0` in radians.
+///
+/// # Errors
+/// When a ratio is out of range, or when the callback cancels.
+pub fn over_phase_and_ratio(
+    scheme: &WaveScheme,
+    phases: &[f64],
+    ratios: &[Rational],
+    quantity: Quantity,
+    progress: Progress<'_>,
+) -> Result<Array2<f64>, SweepError> {
+    let values = fill_rows(ratios, phases.len(), progress, |ratio, target| {
+        let waves = at_ratio(scheme, ratio)?.compile();
+        for (value, &phase) in target.iter_mut().zip(phases) {
+            *value = quantity.of(&waves.mode(phase));
+        }
+        Ok(())
+    })?;
+    Ok(plane(ratios.len(), phases.len(), values))
+}
+
+/// A quantity on the (κ, α) plane, `[factor, phase]`: the damping of `scheme` multiplied by each factor,
+/// which is α itself when the scheme has α = 1.
+///
+/// # Errors
+/// When the callback cancels.
+pub fn over_phase_and_viscosity(
+    scheme: &WaveScheme,
+    phases: &[f64],
+    factors: &[f64],
+    quantity: Quantity,
+    progress: Progress<'_>,
+) -> Result<Array2<f64>, SweepError> {
+    let waves = scheme.compile();
+    let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
+    let values = fill_rows(factors, phases.len(), progress, |factor, target| {
+        fill_with_viscosity(&modes, *factor, quantity, target);
+        Ok(())
+    })?;
+    Ok(plane(factors.len(), phases.len(), values))
+}
+
+fn fill_with_viscosity(modes: &[Mode], factor: f64, quantity: Quantity, target: &mut [f64]) {
+    for (value, mode) in target.iter_mut().zip(modes) {
+        *value = quantity.of(&Mode { damping: factor * mode.damping, ..*mode });
+    }
+}
+
+/// A quantity on the (κ, h, α) box, `[ratio, factor, phase]`, as in the two planes.
+///
+/// # Errors
+/// When a ratio is out of range, or when the callback cancels.
+pub fn over_phase_ratio_and_viscosity(
+    scheme: &WaveScheme,
+    phases: &[f64],
+    ratios: &[Rational],
+    factors: &[f64],
+    quantity: Quantity,
+    progress: Progress<'_>,
+) -> Result<Array3<f64>, SweepError> {
+    let width = factors.len() * phases.len();
+    let values = fill_rows(ratios, width, progress, |ratio, target| {
+        let waves = at_ratio(scheme, ratio)?.compile();
+        let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
+        for (target, factor) in target.chunks_mut(phases.len()).zip(factors) {
+            fill_with_viscosity(&modes, *factor, quantity, target);
+        }
+        Ok(())
+    })?;
+    let shape = (ratios.len(), factors.len(), phases.len());
+    Ok(Array3::from_shape_vec(shape, values).expect("one value for every place"))
+}
+
+/// The growth per step `|z| − 1` of the faster-growing wave on the (κ, c Δt/h) plane, `[step, phase]`.
+///
+/// # Errors
+/// When the callback cancels.
+pub fn over_phase_and_step(
+    scheme: &WaveScheme,
+    integrator: Integrator,
+    phases: &[f64],
+    steps: &[f64],
+    progress: Progress<'_>,
+) -> Result<Array2<f64>, SweepError> {
+    let waves = scheme.compile();
+    let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
+    let values = fill_rows(steps, phases.len(), progress, |step, target| {
+        for (value, mode) in target.iter_mut().zip(&modes) {
+            *value = mode.multipliers(integrator, step * waves.ratio()).growth;
+        }
+        Ok(())
+    })?;
+    Ok(plane(steps.len(), phases.len(), values))
+}
+
+/// The largest stable `c Δt/h ≤ max_step` on the (h, α) plane, `[ratio, factor]`, looked at on a grid of
+/// phases: a map, not a proof — [`stable_step`](super::stable_step()) proves single points of it. NaN for
+/// the published form, which no scheme runs.
+///
+/// # Errors
+/// When a ratio is out of range, or when the callback cancels.
+pub fn stable_step_map(
+    scheme: &WaveScheme,
+    integrator: Integrator,
+    ratios: &[Rational],
+    factors: &[f64],
+    max_step: f64,
+    progress: Progress<'_>,
+) -> Result<Array2<f64>, SweepError> {
+    let (free, damped) = (SampledStep::new(integrator, false), SampledStep::new(integrator, true));
+    let values = fill_rows(ratios, factors.len(), progress, |ratio, target| {
+        let moved = at_ratio(scheme, ratio)?;
+        let Some(damping) = moved.damping() else {
+            target.fill(f64::NAN);
+            return Ok(());
+        };
+        let waves: CompiledWaves = moved.compile();
+        for (value, &factor) in target.iter_mut().zip(factors) {
+            let is_free = factor == 0.0 || damping.is_zero();
+            let sampled = if is_free { &free } else { &damped };
+            let limit = sampled.limit(&waves.clone().with_damping_scaled(factor), max_step);
+            *value = limit.lower();
+        }
+        Ok(())
+    })?;
+    Ok(plane(ratios.len(), factors.len(), values))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::{ratio, to_f64};
+    use crate::kernel::Kernel;
+    use crate::waves::dispersion::{Form, WaveMethod, stable_step};
+    use crate::waves::sweep::no_progress;
+    use std::ops::ControlFlow;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    fn viscous() -> WaveScheme {
+        let method = WaveMethod::SphAv { alpha: integer(1) };
+        WaveScheme::new(method, Kernel::CubicSpline, &ratio(6, 5)).unwrap()
+    }
+
+    fn phases(count: usize) -> Vec<f64> {
+        (1..=count).map(|index| index as f64 * std::f64::consts::PI / count as f64).collect()
+    }
+
+    #[test]
+    fn the_bits_do_not_depend_on_the_number_of_threads() {
+        let (scheme, phases) = (viscous(), phases(50));
+        let ratios = even_axis(&integer(1), &ratio(3, 2), 11);
+        let factors = [0.0, 0.5, 1.0, 4.0];
+        let run = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.expect("a small pool starts").install(|| {
+                let box_of = |quantity| {
+                    over_phase_ratio_and_viscosity(
+                        &scheme,
+                        &phases,
+                        &ratios,
+                        &factors,
+                        quantity,
+                        &no_progress,
+                    )
+                };
+                let map =
+                    stable_step_map(&scheme, Integrator::Rk4, &ratios, &factors, 4.0, &no_progress);
+                let bits = |v: &f64| v.to_bits();
+                let speed: Vec<u64> = box_of(Quantity::Speed).unwrap().iter().map(bits).collect();
+                (speed, map.unwrap().iter().map(bits).collect::<Vec<_>>())
+            })
+        };
+        assert_eq!(run(1), run(3));
+    }
+
+    #[test]
+    fn the_box_contains_the_planes() {
+        let (scheme, phases) = (viscous(), phases(20));
+        let ratios = even_axis(&integer(1), &ratio(3, 2), 6);
+        let factors = [0.0, 1.0, 3.0];
+        let quantity = Quantity::PhaseError;
+        let all = over_phase_ratio_and_viscosity(
+            &scheme,
+            &phases,
+            &ratios,
+            &factors,
+            quantity,
+            &no_progress,
+        )
+        .unwrap();
+        let by_ratio =
+            over_phase_and_ratio(&scheme, &phases, &ratios, quantity, &no_progress).unwrap();
+        let at_6_5 =
+            over_phase_and_viscosity(&scheme, &phases, &factors, quantity, &no_progress).unwrap();
+        assert_eq!(ratios[2], ratio(6, 5));
+        assert_eq!(all.index_axis(ndarray::Axis(1), 1), by_ratio);
+        assert_eq!(all.index_axis(ndarray::Axis(0), 2), at_6_5);
+        // And a single value straight from the relation.
+        let mode = scheme.compile().mode(phases[7]);
+        assert_eq!(at_6_5[[1, 7]], quantity.of(&mode));
+        let ratio = Quantity::DampingRatio;
+        let damping = over_phase_and_viscosity(&scheme, &phases, &factors, ratio, &no_progress);
+        for ((row, column), value) in damping.unwrap().indexed_iter() {
+            let still = at_6_5[[row, column]] == 1.0;
+            assert_eq!(*value >= 1.0, still, "over-damped waves do not travel");
+        }
+    }
+
+    #[test]
+    fn a_callback_hears_of_every_row_and_ends_the_sweep() {
+        let (scheme, phases) = (viscous(), phases(4));
+        let heard = AtomicUsize::new(0);
+        let count = |_: usize, total: usize| {
+            assert_eq!(total, 9);
+            heard.fetch_add(1, Ordering::Relaxed);
+            ControlFlow::Continue(())
+        };
+        let steps: Vec<f64> = (1..10).map(|index| 0.1 * f64::from(index)).collect();
+        let euler = Integrator::ForwardEuler;
+        let map = over_phase_and_step(&scheme, euler, &phases, &steps, &count).unwrap();
+        assert_eq!((heard.into_inner(), map.dim()), (9, (9, 4)));
+        let stop = |_: usize, _: usize| ControlFlow::Break(());
+        let stopped = over_phase_and_step(&scheme, euler, &phases, &steps, &stop);
+        assert_eq!(stopped.unwrap_err(), SweepError::Cancelled);
+        let bad =
+            over_phase_and_ratio(&scheme, &phases, &[integer(0)], Quantity::Speed, &no_progress);
+        assert!(matches!(bad, Err(SweepError::Ratio(_))));
+    }
+
+    #[test]
+    fn the_map_lies_on_the_proved_limits() {
+        let ratios = even_axis(&integer(1), &integer(2), 3);
+        for integrator in [Integrator::LeapfrogKdk, Integrator::Rk2Heun, Integrator::Rk3Ssp] {
+            let map =
+                stable_step_map(&viscous(), integrator, &ratios, &[0.0, 1.0], 4.0, &no_progress);
+            for ((row, column), value) in map.unwrap().indexed_iter() {
+                let method = WaveMethod::SphAv { alpha: integer(column as i64) };
+                let scheme = WaveScheme::new(method, Kernel::CubicSpline, &ratios[row]).unwrap();
+                let proved = stable_step(&scheme, integrator, &integer(4)).unwrap();
+                let (low, high) = (proved.limit().lower(), proved.limit().upper());
+                // Never below, and above by what a grid of 64 phases or more may miss of a maximum.
+                assert!(*value >= low * (1.0 - 1e-12) && *value <= high * 1.002 + 1e-12);
+            }
+        }
+        let published = WaveMethod::Gph { form: Form::Published };
+        let scheme = WaveScheme::new(published, Kernel::CubicSpline, &integer(1)).unwrap();
+        let map = stable_step_map(&scheme, Integrator::Rk4, &ratios, &[1.0], 4.0, &no_progress);
+        assert!(map.unwrap().iter().all(|value| value.is_nan()));
+        assert!(to_f64(&ratios[1]) == 1.5);
+    }
+}

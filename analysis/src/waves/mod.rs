@@ -1,0 +1,6 @@
+//! What a scheme does to its waves, in floating point: multipliers, growth, sweeps, dispersion.
+
+pub mod consistency;
+pub mod dispersion;
+pub mod growth;
+pub mod sweep;
