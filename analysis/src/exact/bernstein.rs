@@ -88,6 +88,14 @@ impl MarginForm {
         }
     }
 
+    /// `t^m P(s, 1/t)`: positive values of `t` beyond a bound become those below its reciprocal.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        self.powers.reverse();
+        self.radius.reverse();
+        self
+    }
+
     /// The degree in `s`.
     pub fn degree(&self) -> usize {
         self.binomials.len() - 1

@@ -9,6 +9,8 @@ pub mod discriminant;
 pub mod enclosed_series;
 pub mod fixed_point;
 pub mod interval;
+pub mod laurent;
+pub mod matrix;
 pub mod modular;
 pub mod polynomial;
 pub mod rational;

@@ -104,6 +104,20 @@ pub fn relative_density(
     Ok(Enclosure { center: sum / ratio, radius })
 }
 
+/// `W_k = Δ W(kΔ)` on the lattice: exact for polynomial kernels.
+pub(crate) fn relative_value(kernel: Kernel, ratio: &Rational, k: i64) -> Enclosure {
+    let q = integer(k) / ratio;
+    match kernel.polynomial() {
+        Some(shape) => Enclosure { center: shape.exact(&q, 0) / ratio, radius: Rational::zero() },
+        None => {
+            let norm = fixed_point::dyadic(fixed_point::inverse_sqrt_of_pi());
+            let value = fixed_point::dyadic(fixed_point::exp_of_minus(&(&q * &q))) * norm;
+            // Two factors, both below one, each wrong by at most a radius.
+            Enclosure { center: value / ratio, radius: fixed_point::radius() * integer(3) / ratio }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

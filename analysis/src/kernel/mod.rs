@@ -10,6 +10,7 @@ pub mod lattice;
 mod lattice_sums;
 mod piecewise;
 
+pub(crate) use density::relative_value;
 pub use density::{Density, Enclosure, UnknownDensity, relative_density};
 pub use gaussian::GAUSSIAN_CUT;
 pub use lattice_sums::{CompiledSums, LatticeSums, SumValues};

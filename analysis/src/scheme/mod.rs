@@ -2,9 +2,23 @@
 //!
 //! A scheme is whatever has a [symbol](Scheme::symbol).
 
+pub mod catalogue;
 pub mod integrator;
+mod integrator_data;
+mod kernel_function;
 pub mod lagrangian;
+pub mod language;
+mod linear;
+mod lines;
+mod names;
+mod step;
 pub mod symbol;
+
+pub use integrator_data::{Coefficient, Integrator, IntegratorFileError, IntegratorForm, Nystrom};
+pub use kernel_function::KernelLattice;
+pub use lines::Lines;
+pub use names::{Letter, LetterKind, Name, Names};
+pub use step::{SchemeError, Step};
 
 use crate::exact::rational::{Rational, integer, ratio as fraction};
 use crate::exact::stencil::Stencil;

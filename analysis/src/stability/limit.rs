@@ -1,5 +1,6 @@
 //! Limits on the Courant number, each with its evidence.
 
+use super::conditions::Condition;
 use crate::exact::algebraic_number::AlgebraicNumber;
 use crate::exact::rational::{
     Rational, decimal_below, from_f64, integer, parse, square_root_enclosure, to_f64, to_f64_above,
@@ -60,7 +61,7 @@ impl Cause {
         }
     }
 
-    fn of_phase(phase: f64) -> Self {
+    pub(crate) fn of_phase(phase: f64) -> Self {
         if phase <= 0.0 {
             Self::LongWave
         } else if phase >= std::f64::consts::PI {
@@ -142,6 +143,27 @@ pub struct Limit {
     evidence: Evidence,
     critical_phase: Option<f64>,
     binding_offset: Option<i64>,
+    binding: Option<Binding>,
+    included: bool,
+    unbounded: bool,
+}
+
+/// The condition that ends stability.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Binding {
+    /// What fails beyond.
+    pub condition: Condition,
+    /// Whether two multipliers on the circle meet at the limit.
+    pub on_circle: bool,
+    /// Whether some wave is unstable whatever the step: its restoring force has the wrong sign.
+    pub whatever_the_step: bool,
+}
+
+impl Binding {
+    /// The word used in files: `lattice` where no step helps, else the name of the condition.
+    pub fn name(self) -> String {
+        if self.whatever_the_step { "lattice".into() } else { self.condition.name() }
+    }
 }
 
 impl Limit {
@@ -166,6 +188,9 @@ impl Limit {
             evidence,
             critical_phase: None,
             binding_offset: None,
+            binding: None,
+            included: true,
+            unbounded: false,
         }
     }
 
@@ -180,6 +205,19 @@ impl Limit {
         let (lower, upper) = number.enclosure(EXACT_BITS);
         let (below, above) = (to_f64_below(&lower), to_f64_above(&upper));
         Self { root_of: Some(number), ..Self::between(below, above, evidence) }
+    }
+
+    /// The property holds for every value from `range_end` on as well: proved.
+    pub(crate) fn unbounded(range_end: &Rational, evidence: Evidence) -> Self {
+        Self { unbounded: true, ..Self::beyond(range_end, evidence) }
+    }
+
+    pub(crate) fn bound_by(self, binding: Binding) -> Self {
+        Self { binding: Some(binding), included: !binding.on_circle, ..self }
+    }
+
+    pub(crate) fn included_if(self, included: bool) -> Self {
+        Self { included, ..self }
     }
 
     pub(crate) fn at_phase(self, phase: f64) -> Self {
@@ -304,6 +342,22 @@ impl Limit {
     /// For monotonicity: the offset of the coefficient that turns negative.
     pub fn binding_offset(&self) -> Option<i64> {
         self.binding_offset
+    }
+
+    /// The condition that fails beyond.
+    pub fn binding(&self) -> Option<Binding> {
+        self.binding
+    }
+
+    /// Whether the property holds at the limit itself. It does not where two multipliers meet on the circle with one eigenvector:
+    /// the wave then grows like a power of the number of steps.
+    pub fn is_included(&self) -> bool {
+        self.included
+    }
+
+    /// Whether there is no limit at all, to infinity: proved, not only up to the end of a range.
+    pub fn is_unbounded(&self) -> bool {
+        self.unbounded
     }
 
     /// Whether there is a positive Courant number below the limit.

@@ -98,6 +98,18 @@ impl Margin {
         margin
     }
 
+    /// With factors `s^a (1 − s)^b` that were taken out before.
+    pub(crate) fn with_factors(mut self, phase_power: usize, complement_power: usize) -> Self {
+        self.phase_power += phase_power;
+        self.complement_power += complement_power;
+        self
+    }
+
+    /// As one of `(1 + growth)² − |g|²`.
+    pub(crate) fn with_growth(self, growth: &Rational) -> Self {
+        Self { growth: growth.clone(), ..self }
+    }
+
     /// `Σ_j C^j p_j` with no factor taken out; the radii are rounded up to the unit of the series.
     fn whole<'a>(
         series: Vec<CosineSeries<BigInt>>,

@@ -1,9 +1,12 @@
 //! Which time steps are stable: sign decisions, stable sets, limits and verdicts, each with its evidence.
 
 mod accuracy_study;
+mod conditions;
 pub(crate) mod critical;
 mod critical_polynomial;
 mod cylinder;
+mod decision;
+mod inequality;
 mod limit;
 pub mod margin;
 mod monotonicity;
@@ -14,7 +17,10 @@ pub mod verdict;
 pub mod weak_instability;
 
 pub use accuracy_study::{AccuracyRow, LimitMethod, accuracy_study};
-pub use limit::{Cause, Evidence, ExactValue, Limit};
+pub use conditions::{Condition, Conditions, Requirement};
+pub use decision::{SearchPlan, decide_step_at};
+pub use inequality::Inequality;
+pub use limit::{Binding, Cause, Evidence, ExactValue, Limit};
 pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
 pub use pointwise::{PointVerdict, decide_at};
@@ -23,4 +29,4 @@ pub use stable_set::{
     DEFAULT_BITS, StableInterval, StableSet, growth_limit, growth_set_beyond, stability_limit,
     stable_set, stable_set_to,
 };
-pub(crate) use stable_set::{MAX_BOXES, phase_of, phase_parameter, stable_set_of};
+pub(crate) use stable_set::{MAX_BOXES, phase_of, phase_parameter, search_within, stable_set_of};

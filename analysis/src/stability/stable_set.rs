@@ -10,7 +10,7 @@ mod search;
 mod stable_stretch;
 mod unstable_stretch;
 
-use super::{Evidence, ExactValue, Limit};
+use super::{Binding, Evidence, ExactValue, Limit};
 use crate::exact::bernstein::Work;
 use crate::exact::rational::{Rational, from_f64, to_f64};
 use crate::scheme::symbol::EnclosedSymbol;
@@ -42,6 +42,8 @@ pub struct StableSet {
     pub undecided: Vec<(f64, f64)>,
     /// The wave that grows fastest as `C → 0` when no small Courant number is stable, in radians.
     pub immediately_unstable_phase: Option<f64>,
+    /// The condition that fails at once, when no small Courant number is stable.
+    pub immediate_binding: Option<Binding>,
     /// `|g| = 1` for every wave and every Courant number.
     pub neutral: bool,
     /// What stands behind the answer.
@@ -61,6 +63,10 @@ impl StableSet {
             }
             _ => {
                 let zero = Limit::exactly(ExactValue::Fraction(Rational::zero()), self.evidence);
+                let zero = match self.immediate_binding {
+                    Some(binding) => zero.bound_by(binding).included_if(true),
+                    None => zero,
+                };
                 match self.immediately_unstable_phase {
                     Some(phase) => zero.at_phase(phase),
                     None => zero,
@@ -144,6 +150,21 @@ pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSe
     search(margin, max_courant, &Rational::zero(), DEFAULT_BITS)
 }
 
+/// [`stable_set_of`] with a work budget: a decision looks at no more than `boxes` boxes.
+pub(crate) fn search_within(
+    margin: &Margin,
+    max_courant: &Rational,
+    known: &Rational,
+    bits: u32,
+    boxes: usize,
+) -> StableSet {
+    let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
+    if margin.is_neutral() {
+        return search(margin, max_courant, known, bits);
+    }
+    Search::new(margin, max_courant, bits).within(boxes).knowing(known).run(max_courant, evidence)
+}
+
 fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) -> StableSet {
     let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
     if margin.is_neutral() {
@@ -154,6 +175,7 @@ fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) 
             }],
             undecided: Vec::new(),
             immediately_unstable_phase: None,
+            immediate_binding: None,
             neutral: true,
             evidence,
             work: Work::default(),

@@ -12,6 +12,9 @@ use crate::stability::pointwise::{PointVerdict, decide_at_parameter};
 /// From so many bits on, edges are recognised as roots of polynomials: who asks for less wants it quickly.
 const RECOGNISING_BITS: u32 = 52;
 
+/// With fewer boxes per decision than this, cells are not looked at either.
+const LEAST_BUDGET: usize = 100;
+
 /// Products of residues that a discriminant may cost when nobody asked for it: some milliseconds.
 const AFFORDABLE_PRODUCTS: usize = 600_000;
 
@@ -21,7 +24,9 @@ const PATIENCE: usize = 50;
 impl Search<'_> {
     /// The polynomials whose roots are the critical values, if the data are exact and the cost is fair.
     pub(super) fn critical_polynomials(&self) -> Option<&CriticalPolynomials> {
-        let wanted = self.margin.is_exact() && self.bits >= RECOGNISING_BITS;
+        // A budget for boxes is one for work: cells cost more than many boxes.
+        let wanted =
+            self.margin.is_exact() && self.bits >= RECOGNISING_BITS && self.budget >= LEAST_BUDGET;
         let patience = if self.bits > RECOGNISING_BITS { PATIENCE } else { 1 };
         let compute = || CriticalPolynomials::new(self.margin, patience * AFFORDABLE_PRODUCTS);
         self.critical.get_or_init(|| wanted.then(compute).flatten()).as_ref()

@@ -38,6 +38,8 @@ pub(super) struct Search<'a> {
     pub(super) bits: u32,
     /// Up to this `t` everything is known to be stable.
     known: Rational,
+    /// Boxes one decision may look at.
+    pub(super) budget: usize,
     pub(super) critical: OnceCell<Option<CriticalPolynomials>>,
     pub(super) touches: usize,
     pub(super) work: Work,
@@ -56,12 +58,18 @@ impl<'a> Search<'a> {
             compiled,
             guesses,
             known: Rational::zero(),
+            budget: usize::MAX,
             end,
             bits,
             critical: OnceCell::new(),
             touches: 0,
             work: Work::default(),
         }
+    }
+
+    /// With no more boxes for one decision.
+    pub(super) fn within(self, budget: usize) -> Self {
+        Self { budget, ..self }
     }
 
     /// Starts from a Courant number up to which stability is known.
@@ -146,6 +154,7 @@ impl<'a> Search<'a> {
             intervals,
             undecided,
             immediately_unstable_phase,
+            immediate_binding: None,
             neutral: false,
             evidence,
             work: self.work,
@@ -168,9 +177,12 @@ impl<'a> Search<'a> {
         // Boxes are halved in `s` only, which suffices where the margin is at most linear in `t`. Of a
         // higher degree its Bernstein coefficients in `t` may stay negative; then `t` is halved too.
         // A touching point is halved down to as many bits as the ends have.
-        let most_boxes = MAX_BOXES.max(8 * self.bits as usize);
-        let (mut pieces, mut boxes) =
-            if self.margin.powers() <= 2 { (1, most_boxes) } else { (MAX_PIECES, FIRST_BOXES) };
+        let most_boxes = MAX_BOXES.max(8 * self.bits as usize).min(self.budget);
+        let (mut pieces, mut boxes) = if self.margin.powers() <= 2 {
+            (1, most_boxes)
+        } else {
+            (MAX_PIECES.min(self.budget), FIRST_BOXES.min(self.budget))
+        };
         let mut pending = vec![(from.clone(), to.clone())];
         while let Some((lower, upper)) = pending.pop() {
             let (sign, work) = self.form.sign(&lower, &upper, boxes);

@@ -71,7 +71,14 @@ impl Search<'_> {
             }
         }
         let mut counterexample = None;
-        if let Some(edge) = self.interior_edge(refined) {
+        // A wave may only touch at the edge, and the guess be rounding: then the critical polynomials decide.
+        let interior = self.interior_edge(refined);
+        if interior.as_ref().is_some_and(|edge| {
+            let (upper, s) = (edge.upper.clone(), edge.s.clone());
+            self.margin.is_exact() && !self.is_unstable_just_above(&upper, &s)
+        }) {
+            counterexample = Some(None);
+        } else if let Some(edge) = interior {
             for bits in self.widths() {
                 let lower = &edge.upper * (integer(1) - power_of_half(bits));
                 if lower <= *from {

@@ -1,0 +1,305 @@
+//! The catalogue: schemes, spaces, integrators and particle methods, each a file in the user's own language.
+
+use crate::exact::laurent::Laurent;
+use crate::exact::rational::{Rational, parse as parse_number};
+use crate::scheme::integrator_data::{Integrator, one_line};
+use crate::scheme::kernel_function::KernelLattice;
+use crate::scheme::language::syntax::{Equations, Expression, Node};
+use crate::scheme::language::{LanguageError, parse, parse_expression};
+use crate::scheme::linear::constant;
+use crate::scheme::lines::Lines;
+use crate::scheme::names::Names;
+use crate::scheme::step::{SchemeError, Step};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+use thiserror::Error;
+
+include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
+
+/// A scheme as a file states it; equations with `u[j]'` are a space that an integrator completes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SchemeFile {
+    /// Its name on the command line and in files.
+    pub name: String,
+    /// Its name for titles and captions.
+    pub title: String,
+    /// The equations, read.
+    pub equations: Equations,
+    /// The parameter whose limit is sought, if the file says so.
+    pub parameter: Option<String>,
+    /// The exponent of one exact step: `-I*C*phi`.
+    pub exact: Option<String>,
+    /// Where it comes from.
+    pub source: String,
+    /// What there is to know.
+    pub notes: String,
+    /// Defaults of the other parameters.
+    pub parameters: BTreeMap<String, Rational>,
+    /// What the literature says.
+    pub known: Known,
+}
+
+/// Limits from the literature.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Known {
+    /// Of stability.
+    pub stability: Option<KnownLimit>,
+    /// Of monotonicity.
+    pub monotonicity: Option<KnownLimit>,
+    /// All stable values, where they are not one interval from 0.
+    pub stable_set: Option<KnownSet>,
+}
+
+/// A limit from the literature.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct KnownLimit {
+    /// `15/8`, `sqrt(3)`, `0`, `unbounded`, or a decimal with the digits that are known.
+    pub value: String,
+    /// Where it stands.
+    pub source: String,
+}
+
+/// Stable intervals from the literature.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct KnownSet {
+    /// `["1", "2"]`; `inf` for no end.
+    pub intervals: Vec<[String; 2]>,
+    /// Where they stand.
+    pub source: String,
+}
+
+/// What is wrong with the file of a scheme.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum SchemeFileError {
+    /// It is no TOML, or keys are missing or not known.
+    #[error("{0}")]
+    Form(String),
+    /// The equations are not understood.
+    #[error(transparent)]
+    Equations(#[from] LanguageError),
+    /// A default that is no number.
+    #[error("[parameters] {name}: `{value}` is no exact number")]
+    Parameter {
+        /// The parameter.
+        name: String,
+        /// What stands there.
+        value: String,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    name: String,
+    title: Option<String>,
+    equations: String,
+    parameter: Option<String>,
+    exact: Option<String>,
+    #[serde(default)]
+    source: String,
+    #[serde(default)]
+    notes: String,
+    #[serde(default)]
+    parameters: BTreeMap<String, toml::Value>,
+    #[serde(default)]
+    known: Known,
+}
+
+impl SchemeFile {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// When it is no scheme.
+    pub fn from_toml(text: &str) -> Result<Self, SchemeFileError> {
+        let file: File =
+            toml::from_str(text).map_err(|error| SchemeFileError::Form(one_line(&error)))?;
+        let mut parameters = BTreeMap::new();
+        for (name, value) in file.parameters {
+            let text = match &value {
+                toml::Value::String(text) => text.clone(),
+                toml::Value::Integer(whole) => whole.to_string(),
+                toml::Value::Float(number) => number.to_string(),
+                other => other.type_str().to_string(),
+            };
+            let number = exact_number(&text)
+                .ok_or_else(|| SchemeFileError::Parameter { name: name.clone(), value: text })?;
+            parameters.insert(name, number);
+        }
+        Ok(Self {
+            title: file.title.unwrap_or_else(|| file.name.clone()),
+            name: file.name,
+            equations: parse(&file.equations)?,
+            parameter: file.parameter,
+            exact: file.exact,
+            source: file.source,
+            notes: file.notes,
+            parameters,
+            known: file.known,
+        })
+    }
+
+    /// Whether an integrator must complete it.
+    pub fn is_of_lines(&self) -> bool {
+        let mut found = false;
+        for equation in &self.equations.equations {
+            visit(&equation.left, &mut |node| found |= is_derivative(node));
+            visit(&equation.right, &mut |node| found |= is_derivative(node));
+        }
+        found
+    }
+
+    /// Whether it needs a kernel.
+    pub fn needs_kernel(&self) -> bool {
+        let mut found = false;
+        for equation in &self.equations.equations {
+            let mut look = |node: &Node| {
+                found |= matches!(node, Node::Sum { .. } | Node::Weight { .. });
+            };
+            visit(&equation.left, &mut look);
+            visit(&equation.right, &mut look);
+        }
+        found
+    }
+
+    /// The step, completed by an integrator where it is a space, with the defaults of the parameters that are not in `values`, and those
+    /// values; `sought` is left free.
+    ///
+    /// # Errors
+    /// When text, kernel and integrator do not go together.
+    pub fn step(
+        &self,
+        lattice: Option<&KernelLattice>,
+        integrator: Option<&Integrator>,
+        values: &[(String, Rational)],
+        sought: Option<&str>,
+    ) -> Result<Step, SchemeError> {
+        let mut step = match integrator {
+            Some(integrator) => {
+                Step::lines(&Lines::from_tree(&self.equations, lattice)?, integrator)?
+            }
+            None => Step::from_tree(&self.equations, lattice)?,
+        };
+        for (name, value) in values {
+            step = step.with(name, value)?;
+        }
+        for (name, value) in &self.parameters {
+            let given = values.iter().any(|(known, _)| known == name) || sought == Some(name);
+            if !given && step.free_parameters().contains(name) {
+                step = step.with(name, value)?;
+            }
+        }
+        Ok(step)
+    }
+}
+
+fn is_derivative(node: &Node) -> bool {
+    matches!(node, Node::Unknown(unknown) if unknown.derivative)
+}
+
+fn visit(expression: &Expression, look: &mut impl FnMut(&Node)) {
+    look(&expression.node);
+    match &expression.node {
+        Node::Add(a, b) | Node::Subtract(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => {
+            visit(a, look);
+            visit(b, look);
+        }
+        Node::SquareRoot(a) | Node::Negative(a) | Node::Power(a, _) => visit(a, look),
+        Node::Sum { body, .. } => visit(body, look),
+        Node::Number(_) | Node::Pi | Node::Name(_) | Node::Unknown(_) | Node::Weight { .. } => {}
+    }
+}
+
+/// An exact number: a decimal, a fraction, or an expression of them.
+pub fn exact_number(text: &str) -> Option<Rational> {
+    if let Ok(value) = parse_number(text) {
+        return Some(value);
+    }
+    let mut names = Names::default();
+    let expression = parse_expression(text).ok()?;
+    let fraction = constant(&expression, text, &mut names).ok()?;
+    let is_number = |p: &Laurent| p.as_constant().is_some();
+    (is_number(&fraction.numerator) && is_number(&fraction.denominator))
+        .then(|| fraction.as_number())
+        .flatten()
+}
+
+/// Files read once; each is read by a test, so that none is refused here.
+fn read_schemes(files: &[(&str, &str)]) -> Vec<SchemeFile> {
+    files
+        .iter()
+        .map(|(name, text)| {
+            SchemeFile::from_toml(text).unwrap_or_else(|error| panic!("{name}.toml: {error}"))
+        })
+        .collect()
+}
+
+static ALL_SCHEMES: LazyLock<Vec<SchemeFile>> = LazyLock::new(|| read_schemes(SCHEMES));
+static ALL_SPACES: LazyLock<Vec<SchemeFile>> = LazyLock::new(|| read_schemes(SPACES));
+static ALL_METHODS: LazyLock<Vec<SchemeFile>> = LazyLock::new(|| read_schemes(METHODS));
+static ALL_INTEGRATORS: LazyLock<Vec<Integrator>> = LazyLock::new(|| {
+    let read = |(name, text): &(&str, &str)| {
+        Integrator::from_toml(text).unwrap_or_else(|error| panic!("{name}.toml: {error}"))
+    };
+    INTEGRATORS.iter().map(read).collect()
+});
+
+/// The schemes of the catalogue, by name.
+pub fn schemes() -> &'static [SchemeFile] {
+    &ALL_SCHEMES
+}
+
+/// The spaces for the method of lines.
+pub fn spaces() -> &'static [SchemeFile] {
+    &ALL_SPACES
+}
+
+/// The particle methods: equations of the waves on a lattice of particles.
+pub fn methods() -> &'static [SchemeFile] {
+    &ALL_METHODS
+}
+
+/// The integrators.
+pub fn integrators() -> &'static [Integrator] {
+    &ALL_INTEGRATORS
+}
+
+/// A scheme by name.
+pub fn scheme(name: &str) -> Option<&'static SchemeFile> {
+    schemes().iter().find(|scheme| scheme.name == name)
+}
+
+/// A space by name.
+pub fn space(name: &str) -> Option<&'static SchemeFile> {
+    spaces().iter().find(|space| space.name == name)
+}
+
+/// A particle method by name.
+pub fn method(name: &str) -> Option<&'static SchemeFile> {
+    methods().iter().find(|method| method.name == name)
+}
+
+impl Integrator {
+    /// An integrator of the catalogue by its name or another accepted one.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        let wanted = name.trim().to_ascii_lowercase();
+        let is_it = |one: &&Self| one.name == wanted || one.aliases.contains(&wanted);
+        integrators().iter().find(is_it)
+    }
+
+    /// The same as particle codes say it: `leapfrog` is kick–drift–kick there.
+    pub fn for_particles(name: &str) -> Option<&'static Self> {
+        let wanted = name.trim().to_ascii_lowercase();
+        let theirs = integrators().iter().find(|one| one.method_aliases.contains(&wanted));
+        theirs.or_else(|| Self::named(name))
+    }
+}
+
+/// An expression without names, rounded: `sqrt(9/11)`.
+pub fn approximate(text: &str) -> Option<f64> {
+    let value = crate::scheme::Coefficient::parse(text).ok()?.to_f64();
+    value.is_finite().then_some(value)
+}

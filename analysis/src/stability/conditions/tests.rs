@@ -1,0 +1,108 @@
+use super::*;
+use crate::exact::laurent::VARIABLES;
+use num_bigint::BigInt;
+use num_complex::Complex64;
+use proptest::prelude::*;
+
+/// Roots by the Durand–Kerner iteration: simple and slow, for tests.
+fn roots(coefficients: &[Complex64]) -> Vec<Complex64> {
+    let degree = coefficients.len() - 1;
+    let monic: Vec<Complex64> = coefficients.iter().map(|c| c / coefficients[degree]).collect();
+    let value = |z: Complex64| monic.iter().rev().fold(Complex64::ZERO, |sum, c| sum * z + c);
+    let mut z: Vec<Complex64> =
+        (0..degree as i32).map(|k| Complex64::new(0.4, 0.9).powi(k)).collect();
+    for _ in 0..400 {
+        for i in 0..degree {
+            let others = (0..degree).filter(|&j| j != i).map(|j| z[i] - z[j]);
+            let product: Complex64 = others.product();
+            let step = value(z[i]) / product;
+            z[i] -= step;
+        }
+    }
+    z
+}
+
+fn at(polynomial: &Laurent, e: Complex64) -> Complex64 {
+    polynomial.terms().iter().fold(Complex64::ZERO, |sum, (exponents, value)| {
+        let value: f64 = value.to_string().parse().unwrap();
+        sum + e.powi(i32::from(exponents[1])) * value
+    })
+}
+
+fn laurent(symmetric: bool) -> impl Strategy<Value = Laurent> {
+    prop::collection::vec(-5i64..6, 3).prop_map(move |values| {
+        let mut terms = Vec::new();
+        for (index, value) in values.into_iter().enumerate() {
+            let power = index as i16 - 1;
+            let mut exponents = [0; VARIABLES];
+            exponents[1] = power;
+            terms.push((exponents, BigInt::from(value)));
+            if symmetric {
+                exponents[1] = -power;
+                terms.push((exponents, BigInt::from(value)));
+            }
+        }
+        Laurent::new(terms)
+    })
+}
+
+fn check(coefficients: Vec<Laurent>, lead: i64) -> Result<(), TestCaseError> {
+    let mut coefficients = coefficients;
+    // Both outcomes should occur: a heavy leading coefficient pulls roots inside.
+    let last = coefficients.len() - 1;
+    coefficients[last] = coefficients[last].clone() + Laurent::integer(lead);
+    prop_assume!(!coefficients[last].is_zero() && !coefficients[0].is_zero());
+    let chi = Laurent::from_coefficients(&coefficients, Variable::TIME).primitive();
+    prop_assume!(chi.contains(Variable::TIME));
+    let conditions = Conditions::new(&chi, &Rational::from_integer(0.into()), &Names::default());
+    for k in 1..12 {
+        let e = Complex64::from_polar(1.0, 0.267 * f64::from(k));
+        let values: Vec<Complex64> =
+            chi.coefficients(Variable::TIME).iter().map(|c| at(c, e)).collect();
+        let size: f64 = values.iter().map(|v| v.norm()).sum();
+        if values.last().unwrap().norm() < 1e-3 * size {
+            continue;
+        }
+        let largest = roots(&values).iter().map(|z| z.norm()).fold(0.0, f64::max);
+        if (largest - 1.0).abs() < 1e-5 {
+            continue;
+        }
+        let holds = !conditions.nowhere
+            && conditions.requirements.iter().all(|one| {
+                let value = at(&one.polynomial, e);
+                assert!(value.im.abs() <= 1e-6 * (1.0 + value.norm()), "a condition is real");
+                value.re >= 0.0
+            });
+        prop_assert_eq!(holds, largest < 1.0, "{} at k = {}: {:?}", chi, k, largest);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+    #[test]
+    fn complex_conditions_say_where_the_roots_are(
+        coefficients in prop::collection::vec(laurent(false), 2..5), lead in 0i64..25
+    ) {
+        check(coefficients, lead)?;
+    }
+
+    #[test]
+    fn real_conditions_say_where_the_roots_are(
+        coefficients in prop::collection::vec(laurent(true), 2..7), lead in -25i64..25
+    ) {
+        check(coefficients, lead)?;
+    }
+
+    #[test]
+    fn circle_parts_do_not_hide_the_rest(
+        a in laurent(false), b in laurent(true), lead in 0i64..12
+    ) {
+        // (z² + b z + 1)(lead z + a): a self-inversive factor planted beside another.
+        let circle = [Laurent::integer(1), b, Laurent::integer(1)];
+        let rest = [a, Laurent::integer(lead)];
+        let product = Laurent::from_coefficients(&circle, Variable::TIME)
+            * Laurent::from_coefficients(&rest, Variable::TIME);
+        check(product.coefficients(Variable::TIME), 0)?;
+    }
+}

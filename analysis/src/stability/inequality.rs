@@ -1,0 +1,182 @@
+//! A condition as a polynomial in the wave and one parameter: letters get their values, factors that vanish trivially come out.
+
+use crate::exact::bernstein::{MarginForm, Sign};
+use crate::exact::cosine_series::CosineSeries;
+use crate::exact::enclosed_series::EnclosedSeries;
+use crate::exact::laurent::{Laurent, VARIABLES, Variable};
+use crate::exact::rational::{Rational, integer};
+use crate::scheme::Names;
+use crate::stability::MAX_BOXES;
+use crate::stability::conditions::{Condition, Requirement};
+use crate::stability::margin::Margin;
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+use std::collections::BTreeMap;
+
+/// Bits kept of letters in long products: far more than a limit is reported with, and few enough for high powers.
+const KEPT_BITS: u32 = 160;
+
+/// Products of more letters than this are made of cut ones.
+const SHORT_PRODUCT: i16 = 2;
+
+/// One condition, ready to be decided: `P(s, C) ≥ 0` for all waves.
+#[derive(Debug, Clone)]
+pub struct Inequality {
+    /// What it says.
+    pub condition: Condition,
+    /// Whether two multipliers on the circle meet where it vanishes.
+    pub on_circle: bool,
+    /// The polynomial.
+    pub margin: Margin,
+    /// Whether a factor that does not depend on the parameter is negative for some wave: the lattice is unstable whatever the step.
+    pub whatever_the_step: bool,
+}
+
+impl Inequality {
+    /// From a condition; all parameters but `parameter` must have their values. With `None` all must.
+    pub fn new(requirement: &Requirement, names: &Names, parameter: Option<Variable>) -> Self {
+        let mut polynomial = requirement.polynomial.clone();
+        let mut whatever_the_step = false;
+        if let Some(variable) = parameter {
+            let common = symmetric(polynomial.content(variable));
+            if let Some(common) = common.filter(|p| p.as_constant().is_none())
+                && let Some(rest) = polynomial.divide_exactly(&common)
+            {
+                let sign = |polynomial: &Laurent| {
+                    let margin = margin_of(polynomial, names, None, &Rational::one());
+                    margin.is_neutral()
+                        || MarginForm::new(&margin).sign(&integer(0), &integer(1), MAX_BOXES).0
+                            == Sign::NowhereNegative
+                };
+                if sign(&common) {
+                    polynomial = rest;
+                } else if sign(&-common.clone()) {
+                    polynomial = -rest;
+                } else {
+                    whatever_the_step = true;
+                }
+            }
+        }
+        Self {
+            condition: requirement.condition,
+            on_circle: requirement.on_circle,
+            margin: margin_of(&polynomial, names, parameter, &Rational::one()),
+            whatever_the_step,
+        }
+    }
+}
+
+/// Shifted so that it is a real function of the wave, if it is one or i times one.
+fn symmetric(polynomial: Laurent) -> Option<Laurent> {
+    let mut centred = polynomial;
+    for axis in 0..3 {
+        let (low, high) = centred.range(Variable::axis(axis))?;
+        if (low + high) % 2 != 0 {
+            return None;
+        }
+        centred = centred.shifted(Variable::axis(axis), -(low + high) / 2);
+    }
+    centred.is_real().then_some(centred)
+}
+
+/// The margin of a real polynomial in the waves, one parameter and letters, times `scale`.
+pub(crate) fn margin_of(
+    polynomial: &Laurent,
+    names: &Names,
+    parameter: Option<Variable>,
+    scale: &Rational,
+) -> Margin {
+    let (groups, phase_power, complement_power) = grouped(polynomial, parameter);
+    let most =
+        groups.keys().map(|(_, letters)| letters.iter().map(|(_, power)| power).sum::<i16>());
+    let short = most.max().unwrap_or(0) <= SHORT_PRODUCT;
+    let mut powers_of_letters: BTreeMap<(usize, i16), EnclosedSeries> = BTreeMap::new();
+    let mut sums: Vec<EnclosedSeries> = Vec::new();
+    for ((degree, letters), series) in groups {
+        let rational = series.map(|value| Rational::from(value.clone()) * scale);
+        let mut term = EnclosedSeries::new(rational.coefficients(), Rational::zero());
+        for (place, power) in letters {
+            let value = power_of_letter(&mut powers_of_letters, names, place, power, short);
+            term = term.times(&value);
+        }
+        while sums.len() <= degree {
+            sums.push(EnclosedSeries::constant(Rational::zero()));
+        }
+        sums[degree] = sums[degree].plus(&term);
+    }
+    let sums: Vec<EnclosedSeries> =
+        if short { sums } else { sums.into_iter().map(|s| s.shortened(KEPT_BITS)).collect() };
+    Margin::of_polynomial(&sums).with_factors(phase_power, complement_power)
+}
+
+fn power_of_letter(
+    known: &mut BTreeMap<(usize, i16), EnclosedSeries>,
+    names: &Names,
+    place: usize,
+    power: i16,
+    short: bool,
+) -> EnclosedSeries {
+    if let Some(value) = known.get(&(place, power)) {
+        return value.clone();
+    }
+    let value = if power == 1 {
+        let letter = names.letters().find(|(variable, _)| variable.0 == place);
+        let value = letter.expect("only letters and the parameter are left").1.value.clone();
+        if short { value } else { value.shortened(KEPT_BITS) }
+    } else {
+        let lower = power_of_letter(known, names, place, power - 1, short);
+        let product = lower.times(&power_of_letter(known, names, place, 1, short));
+        if short { product } else { product.shortened(KEPT_BITS) }
+    };
+    known.insert((place, power), value.clone());
+    value
+}
+
+/// A power of the parameter and powers of letters.
+type Group = (usize, Vec<(usize, i16)>);
+
+/// Cosine series by power of the parameter and letters, without the powers of `s` and `1 − s` that all share.
+fn grouped(
+    polynomial: &Laurent,
+    parameter: Option<Variable>,
+) -> (BTreeMap<Group, CosineSeries<BigInt>>, usize, usize) {
+    let mut coefficients: BTreeMap<Group, Vec<BigInt>> = BTreeMap::new();
+    for (exponents, value) in polynomial.terms() {
+        // Symmetric in E: the negative powers repeat the positive ones, and 2 cos kφ is their sum.
+        let Ok(order) = usize::try_from(exponents[Variable::axis(0).0]) else { continue };
+        let degree = parameter.map_or(0, |variable| exponents[variable.0] as usize);
+        let letters = (4..VARIABLES)
+            .filter(|&v| exponents[v] != 0 && parameter != Some(Variable(v)))
+            .map(|v| (v, exponents[v]))
+            .collect();
+        let series = coefficients.entry((degree, letters)).or_default();
+        if series.len() <= order {
+            series.resize(order + 1, BigInt::zero());
+        }
+        series[order] += if order == 0 { value.clone() } else { value * 2 };
+    }
+    let mut groups: BTreeMap<Group, CosineSeries<BigInt>> = coefficients
+        .into_iter()
+        .map(|(group, values)| (group, CosineSeries::new(values)))
+        .collect();
+    let (mut phase_power, mut complement_power) = (0, 0);
+    if groups.values().all(CosineSeries::is_zero) {
+        return (groups, 0, 0);
+    }
+    while let Some(divided) = divided(&groups, CosineSeries::divide_by_s) {
+        groups = divided;
+        phase_power += 1;
+    }
+    while let Some(divided) = divided(&groups, CosineSeries::divide_by_complement) {
+        groups = divided;
+        complement_power += 1;
+    }
+    (groups, phase_power, complement_power)
+}
+
+fn divided(
+    groups: &BTreeMap<Group, CosineSeries<BigInt>>,
+    divide: impl Fn(&CosineSeries<BigInt>) -> Option<CosineSeries<BigInt>>,
+) -> Option<BTreeMap<Group, CosineSeries<BigInt>>> {
+    groups.iter().map(|(group, series)| Some((group.clone(), divide(series)?))).collect()
+}
