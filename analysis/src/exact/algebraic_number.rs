@@ -10,6 +10,9 @@ use num_traits::{Signed, Zero};
 /// denominators above `2^100`.
 const FRACTION_BITS: u32 = 200;
 
+/// Roots of fractions are looked for up to this index.
+const MOST_ROOT: usize = 12;
+
 /// The only root of an integer polynomial in an interval, positive and of odd multiplicity, or the square
 /// root of it.
 ///
@@ -105,6 +108,30 @@ impl AlgebraicNumber {
         let (lower, upper) = self.enclosure_of_power(FRACTION_BITS);
         let simplest = simplest_between(&lower, &upper);
         (sign_at(&self.polynomial, &simplest) == Sign::NoSign).then_some(simplest)
+    }
+
+    /// `(r, k)` when it is the `k`-th root of a fraction `r` of moderate size: then `x^k − r` divides its polynomial.
+    ///
+    /// ```
+    /// use courant_analysis::exact::{algebraic_number::AlgebraicNumber, polynomial::Polynomial, rational::{integer, ratio}};
+    /// // (3x³ − 2)(x + 1)
+    /// let polynomial = Polynomial::new([-2, -2, 0, 3, 3].map(Into::into).to_vec());
+    /// let root = AlgebraicNumber::between(polynomial, ratio(1, 2), integer(1)).unwrap();
+    /// assert_eq!(root.radical(), Some((ratio(2, 3), 3)));
+    /// ```
+    pub fn radical(&self) -> Option<(Rational, usize)> {
+        let polynomial = self.polynomial();
+        let (lower, upper) = self.enclosure(FRACTION_BITS);
+        (2..=polynomial.degree()?.min(MOST_ROOT)).find_map(|index| {
+            let power = simplest_between(&lower.pow(index as i32), &upper.pow(index as i32));
+            if power.numer().bits().max(power.denom().bits()) > 64 {
+                return None;
+            }
+            let mut factor = vec![BigInt::zero(); index + 1];
+            factor[0] = -power.numer().clone();
+            factor[index] = power.denom().clone();
+            polynomial.divide_exactly(&Polynomial::new(factor)).map(|_| (power, index))
+        })
     }
 
     /// The equation it solves, as text: `4 C^2 - C - 2 = 0`.

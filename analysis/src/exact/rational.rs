@@ -21,7 +21,7 @@ pub enum ParseRationalError {
     #[error("`{0}` divides by zero")]
     ZeroDenominator(String),
     /// More digits or a larger exponent than anybody means.
-    #[error("`{0}` is out of range; write at most 60 digits and an exponent between -400 and 400")]
+    #[error("`{0}` is out of range; write at most 120 digits and an exponent between -400 and 400")]
     OutOfRange(String),
 }
 
@@ -73,7 +73,7 @@ fn parse_decimal(text: &str) -> Result<Rational, ParseRationalError> {
     if all.is_empty() || !all.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(malformed());
     }
-    if all.len() > 60 {
+    if all.len() > 120 {
         return Err(out_of_range());
     }
     let magnitude: BigInt = all.parse().map_err(|_| malformed())?;

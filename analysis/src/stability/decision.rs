@@ -87,7 +87,7 @@ impl Step {
     /// As [`limit`](Self::limit).
     pub fn stable_set(&self, parameter: &str, plan: &SearchPlan) -> Result<StableSet, SchemeError> {
         let Some(conditions) = self.inequalities(parameter, &plan.growth)? else {
-            return Ok(nowhere(plan));
+            return Ok(nowhere());
         };
         Ok(intersection(&conditions, plan))
     }
@@ -190,12 +190,12 @@ fn gain_margin(
     Some(margin_of(&(budget - squared), &step.names, variable, &scale).with_growth(growth))
 }
 
-/// Stable nowhere: some multiplier is outside whatever the wave.
-fn nowhere(plan: &SearchPlan) -> StableSet {
-    let _ = plan;
+/// Stable nowhere: some multiplier is outside whatever the wave and the value.
+fn nowhere() -> StableSet {
     StableSet {
         intervals: Vec::new(),
         undecided: Vec::new(),
+        // Any wave will do.
         immediately_unstable_phase: Some(std::f64::consts::FRAC_PI_2),
         immediate_binding: None,
         neutral: false,
@@ -290,7 +290,19 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
             } else {
                 interval.from.clone()
             };
-            let to = earlier(&interval.to, other.to, binding);
+            let to = match order(&interval.to, &other.to) {
+                Order::Known => interval.to.clone(),
+                Order::Other => other.to.bound_by(binding),
+                Order::Unclear(lower) => {
+                    // Not told apart: is this condition kept up to where the known one certainly is?
+                    let again =
+                        search_within(&inequality.margin, &lower, &known, plan.bits, plan.budget);
+                    result.work += again.work;
+                    let kept = again.undecided.is_empty()
+                        && again.intervals.last().is_some_and(|last| last.to.upper().is_infinite());
+                    if kept { interval.to.clone() } else { other.to.bound_by(binding) }
+                }
+            };
             if from.lower() < to.upper() {
                 result.intervals.push(StableInterval { from, to });
             }
@@ -299,18 +311,33 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
     result
 }
 
-/// Of two ends the one that comes first; the known one where they are not told apart.
-fn earlier(known: &Limit, other: Limit, binding: Binding) -> Limit {
-    if other.upper().is_infinite() {
+/// Which of two ends comes first.
+enum Order {
+    Known,
+    Other,
+    /// Their enclosures overlap; the known one is certainly not before this.
+    Unclear(Rational),
+}
+
+fn order(known: &Limit, other: &Limit) -> Order {
+    if other.upper().is_infinite() && other.evidence() != Evidence::Undecided {
         // Nothing was met in the window.
-        return known.clone();
+        return Order::Known;
     }
-    let before = match (other.certain_upper(), known.certain_lower()) {
-        (Some(other), Some(known_lower)) => other < known_lower || known.upper().is_infinite(),
-        _ => other.upper() < known.lower(),
+    let (Some(other_lower), Some(known_lower)) = (other.certain_lower(), known.certain_lower())
+    else {
+        return Order::Other;
     };
-    let undecided = other.evidence() == Evidence::Undecided && other.lower() < known.lower();
-    if before || undecided { other.bound_by(binding) } else { known.clone() }
+    if known.upper().is_infinite() {
+        return Order::Other;
+    }
+    if other_lower >= known_lower {
+        return Order::Known;
+    }
+    match other.certain_upper() {
+        Some(upper) if upper < known_lower => Order::Other,
+        _ => Order::Unclear(known_lower),
+    }
 }
 
 /// A short fraction a little above a limit: conditions that touch zero beyond it are not asked about.

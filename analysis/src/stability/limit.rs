@@ -307,6 +307,20 @@ impl Limit {
         self.exact.as_ref()
     }
 
+    /// The closed form as people write it: `15/8`, `sqrt(3)`, `(2/3)^(1/3)`; `None` where there is none.
+    pub fn closed_form(&self) -> Option<String> {
+        if let Some(exact) = &self.exact {
+            return Some(exact.to_string());
+        }
+        let (radicand, index) = self.root_of.as_ref()?.radical()?;
+        let text = to_text(&radicand);
+        Some(match (index, radicand.is_integer()) {
+            (2, _) => format!("sqrt({text})"),
+            (_, true) => format!("{text}^(1/{index})"),
+            (_, false) => format!("({text})^(1/{index})"),
+        })
+    }
+
     /// The polynomial equation it solves, where one was found and there is no closed form.
     pub fn equation(&self) -> Option<&AlgebraicNumber> {
         self.root_of.as_ref()

@@ -12,6 +12,7 @@ pub mod margin;
 mod monotonicity;
 mod pointwise;
 mod sampled;
+mod singular;
 mod stable_set;
 pub mod verdict;
 pub mod weak_instability;
@@ -25,6 +26,7 @@ pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
 pub use pointwise::{PointVerdict, decide_at};
 pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
+pub use singular::SingularStep;
 pub use stable_set::{
     DEFAULT_BITS, StableInterval, StableSet, growth_limit, growth_set_beyond, stability_limit,
     stable_set, stable_set_to,

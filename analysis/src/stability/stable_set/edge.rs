@@ -2,6 +2,9 @@
 
 use super::phase_of;
 use super::search::{Search, power_of_half};
+use crate::exact::algebraic_number::AlgebraicNumber;
+use crate::exact::descartes::sign_changes;
+use crate::exact::discriminant::primitive;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
     Rational, from_f64, integer, simplest_between, square_root_enclosure, to_f64, to_f64_above,
@@ -120,6 +123,7 @@ impl Search<'_> {
         } else if let Some(root) = self
             .critical_polynomials()
             .and_then(|critical| critical.root_between(&edge.lower, &edge.upper))
+            .or_else(|| self.root_of_an_end(edge))
         {
             match root.power_as_fraction() {
                 Some(t) => Limit::exactly(closed(t), evidence),
@@ -131,6 +135,17 @@ impl Search<'_> {
             Limit::enclosed(lower, upper, evidence)
         };
         limit.at_phase(phase_of(&edge.s))
+    }
+
+    /// The root where an end of the phase range binds and discriminants were not asked for.
+    fn root_of_an_end(&self, edge: &Edge) -> Option<AlgebraicNumber> {
+        if !self.margin.is_exact() || !edge.s.is_integer() {
+            return None;
+        }
+        let polynomial = primitive(&Polynomial::new(self.form.integers_at(&edge.s, 0)));
+        (sign_changes(&polynomial, &edge.lower, &edge.upper) == 1)
+            .then(|| AlgebraicNumber::between(polynomial, edge.lower.clone(), edge.upper.clone()))
+            .flatten()
     }
 
     pub(super) fn courant_numbers(&self, lower: &Rational, upper: &Rational) -> (f64, f64) {
