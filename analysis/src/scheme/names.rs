@@ -226,7 +226,12 @@ impl Fraction {
     fn reduced(self) -> Self {
         use num_integer::Integer;
         use num_traits::Signed;
-        if let Some(quotient) = self.numerator.divide_exactly(&self.denominator) {
+        // Names keep natural powers: what is divided by stays below.
+        let natural =
+            |quotient: &Laurent| quotient.lowest_powers()[4..].iter().all(|&power| power >= 0);
+        if let Some(quotient) = self.numerator.divide_exactly(&self.denominator)
+            && natural(&quotient)
+        {
             return Self { numerator: quotient, denominator: Laurent::integer(1) };
         }
         let mut common = self.numerator.integer_content().gcd(&self.denominator.integer_content());

@@ -56,6 +56,14 @@ pub enum SchemeError {
     /// Parameters without a value.
     #[error("the parameter{} {} need{} a value", plural(.0), list(.0), if .0.len() == 1 { "s" } else { "" })]
     NotSet(Vec<String>),
+    /// A value for which a quotient in the equations has no meaning.
+    #[error("{name} = {value}: a denominator of the equations vanishes")]
+    Denominator {
+        /// The parameter.
+        name: String,
+        /// Its value.
+        value: String,
+    },
     /// Too many names for one scheme.
     #[error(transparent)]
     TooManyNames(#[from] TooManyNames),
@@ -177,8 +185,12 @@ impl Step {
         });
         let mut set = self.set.clone();
         set.push((name.to_string(), value.clone()));
-        let denominators =
+        let denominators: Vec<Laurent> =
             self.denominators.iter().map(|d| d.at_fraction(variable, value)).collect();
+        if denominators.iter().any(Laurent::is_zero) {
+            let value = crate::exact::rational::to_text(value);
+            return Err(SchemeError::Denominator { name: name.into(), value });
+        }
         Ok(Self { matrix: Matrix::new(rows.collect()), denominators, set, ..self.clone() })
     }
 
