@@ -3,4 +3,7 @@
 pub mod consistency;
 pub mod dispersion;
 pub mod growth;
+pub mod multipliers;
+mod roots;
 pub mod sweep;
+pub(crate) mod wave_terms;
