@@ -27,6 +27,8 @@ pub struct SearchPlan {
     pub bits: u32,
     /// Boxes that one decision may look at.
     pub budget: usize,
+    /// Up to here everything is known to keep the conditions: a strict limit, when growth is permitted.
+    pub known: Rational,
 }
 
 /// Values looked at when nobody says how far.
@@ -39,6 +41,7 @@ impl Default for SearchPlan {
             max: integer(DEFAULT_RANGE),
             bits: DEFAULT_BITS,
             budget: usize::MAX,
+            known: Rational::zero(),
         }
     }
 }
@@ -54,6 +57,12 @@ impl SearchPlan {
     #[must_use]
     pub fn growing(self, growth: Rational) -> Self {
         Self { growth, ..self }
+    }
+
+    /// With values known to keep the conditions: what does not grow at all does not grow too fast.
+    #[must_use]
+    pub fn knowing(self, strict: &Limit) -> Self {
+        Self { known: strict.certain_lower().unwrap_or_default(), ..self }
     }
 
     /// With narrower enclosures.
@@ -272,7 +281,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
         let end = window_end(&interval.to, &plan.max);
         let known = match interval.from.certain_lower() {
             Some(from) if !first => from.min(end.clone()),
-            _ => Rational::zero(),
+            _ => plan.known.clone().min(end.clone()),
         };
         let found = search_within(&inequality.margin, &end, &known, plan.bits, plan.budget);
         result.work += found.work;
