@@ -476,9 +476,8 @@ impl<'a> Reader<'a> {
             }
             Value::Linear(terms) => terms,
         };
-        // Functions of the same value and multiple of the index go together before letters are made of them: what belongs
-        // together, 1 − E^k, then vanishes together.
-        let mut result: Vec<(Place, Scalar)> = Vec::new();
+        // What belongs together, as in 2 x[j] - x[j+k] - x[j-k], is added up before letters are made: what cancels needs none.
+        let mut shares: Vec<(Place, [Scalar; 3])> = Vec::new();
         for (place, scalar) in terms {
             let multiple = place.space[0].index;
             let mut base = place;
@@ -487,37 +486,57 @@ impl<'a> Reader<'a> {
             if multiple.abs() > 1 || place.space[1..].iter().any(|o| o.index != 0) || in_time {
                 return Err(self.error("inside a sum over k an unknown stands at j+k or j-k", span));
             }
-            for (fraction, function) in scalar {
-                let function = function.unwrap_or_else(|| KernelFunction::one(reach));
+            let number = match shares.iter().position(|(known, _)| *known == base) {
+                Some(number) => number,
+                None => {
+                    shares.push((base, Default::default()));
+                    shares.len() - 1
+                }
+            };
+            let [sums, versines, sines] = &mut shares[number].1;
+            let times_index = |scalar: Scalar| if multiple < 0 { minus(scalar) } else { scalar };
+            *sums = plus(std::mem::take(sums), scalar.clone());
+            if multiple != 0 {
+                *versines = plus(std::mem::take(versines), scalar.clone());
+                *sines = plus(std::mem::take(sines), times_index(scalar));
+            }
+        }
+        let mut result: Vec<(Place, Scalar)> = Vec::new();
+        for (base, [sums, versines, sines]) in shares {
+            let occurring = |scalar: Scalar| {
+                let function = |function: Option<KernelFunction>| {
+                    function.unwrap_or_else(|| KernelFunction::one(reach))
+                };
+                let kept = scalar.into_iter().filter(|(fraction, _)| !fraction.is_zero());
+                kept.map(|(fraction, f)| (fraction, function(f))).collect::<Vec<_>>()
+            };
+            for (fraction, function) in occurring(sums) {
                 let (sum, radius) = function.sum();
-                let Value::Scalar(sum) = self.enclosed(sum, radius, "s", span)? else { continue };
-                push(&mut result, base, times(&vec![(fraction.clone(), None)], &sum));
-                if multiple == 0 {
+                if let Value::Scalar(sum) = self.enclosed(sum, radius, "s", span)? {
+                    push(&mut result, base, times(&vec![(fraction, None)], &sum));
+                }
+            }
+            let versines = occurring(versines).into_iter().map(|(fraction, f)| {
+                let shares = [(-1, (1, 4)), (0, (-1, 2)), (1, (1, 4))];
+                (fraction, f.versines(), LetterKind::Versines, shares)
+            });
+            let sines = occurring(sines).into_iter().map(|(fraction, f)| {
+                let shares = [(-1, (-1, 2)), (0, (0, 1)), (1, (1, 2))];
+                (fraction, f.sines(), LetterKind::Sines, shares)
+            });
+            for (fraction, series, kind, shares) in versines.chain(sines) {
+                if series.is_zero() {
                     continue;
                 }
-                let parts = [
-                    (function.versines(), LetterKind::Versines, "V"),
-                    (function.sines(), LetterKind::Sines, "S"),
-                ];
-                for (series, kind, name) in parts {
-                    if series.is_zero() {
-                        continue;
-                    }
-                    let shares = match kind {
-                        LetterKind::Versines => [(-1, (1, 4)), (0, (-1, 2)), (1, (1, 4))],
-                        _ => [(-multiple, (-1, 2)), (0, (0, 1)), (multiple, (1, 2))],
-                    };
-                    let variable = self.letter(kind, series, name, span)?;
-                    let letter = fraction.times(&Fraction::variable(variable));
-                    for (step, (numerator, denominator)) in shares {
-                        let share = Fraction::number(&crate::exact::rational::ratio(
-                            numerator,
-                            denominator,
-                        ));
-                        let mut moved = base;
-                        moved.space[0].halves += 2 * step;
-                        push(&mut result, moved, vec![(letter.times(&share), None)]);
-                    }
+                let name = if kind == LetterKind::Versines { "V" } else { "S" };
+                let variable = self.letter(kind, series, name, span)?;
+                let letter = fraction.times(&Fraction::variable(variable));
+                for (step, (numerator, denominator)) in shares {
+                    let share =
+                        Fraction::number(&crate::exact::rational::ratio(numerator, denominator));
+                    let mut moved = base;
+                    moved.space[0].halves += 2 * step;
+                    push(&mut result, moved, vec![(letter.times(&share), None)]);
                 }
             }
         }
@@ -575,8 +594,11 @@ fn scaled(terms: Vec<(Place, Scalar)>, factor: &Scalar) -> Value {
     Value::Linear(terms.into_iter().map(|(place, value)| (place, times(&value, factor))).collect())
 }
 
+fn minus(scalar: Scalar) -> Scalar {
+    scalar.into_iter().map(|(fraction, function)| (fraction.negated(), function)).collect()
+}
+
 fn negated(value: Value) -> Value {
-    let minus = |scalar: Scalar| scalar.into_iter().map(|(f, k)| (f.negated(), k)).collect();
     match value {
         Value::Scalar(scalar) => Value::Scalar(minus(scalar)),
         Value::Linear(terms) => {

@@ -6,7 +6,9 @@ use super::limit::{Binding, Evidence, ExactValue, Limit};
 use super::margin::Margin;
 use super::pointwise::{PointVerdict, decide_at_parameter};
 use super::stable_set::{StableInterval, StableSet};
-use super::{DEFAULT_BITS, MAX_BOXES, search_within};
+use super::{
+    DEFAULT_BITS, FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, search_within,
+};
 use crate::exact::bernstein::{MarginForm, Sign, Work};
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::{Rational, from_f64, integer, simplest_between, to_f64};
@@ -229,6 +231,9 @@ fn everything(plan: &SearchPlan, evidence: Evidence) -> StableSet {
     }
 }
 
+/// Failures are told apart that differ by more than about this part of a factor of two.
+const SAME_FAILURE: f64 = (1 << 24) as f64;
+
 /// Where all conditions hold.
 fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> StableSet {
     let exact = inequalities.iter().all(|one| one.margin.is_exact());
@@ -238,9 +243,10 @@ fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> StableSet {
     let mut ordered: Vec<(f64, &Inequality)> = inequalities
         .iter()
         .filter(|one| !one.margin.is_neutral())
-        .map(|one| (first_failure(&one.margin, &plan.max), one))
+        .map(|one| ((first_failure(&one.margin, &plan.max).log2() * SAME_FAILURE).round(), one))
         .collect();
-    ordered.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // Where several fail at once, multipliers at +1 and −1 say more than a circle that is left.
+    ordered.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.condition.cmp(&b.1.condition)));
     if ordered.is_empty() {
         return set;
     }
@@ -248,6 +254,16 @@ fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> StableSet {
     for (_, inequality) in &ordered {
         set = restricted(set, inequality, plan);
     }
+    // What one condition leaves open another may exclude; only then it is worth more effort.
+    let excluded = |&(lower, upper): &(f64, f64)| {
+        let (Some(lower), Some(upper)) = (from_f64(lower), from_f64(upper)) else { return false };
+        [FIRST_PATIENCE, MAX_PATIENCE].into_iter().any(|patience| {
+            let outside =
+                |one: &Inequality| is_unstable_throughout(&one.margin, &lower, &upper, patience);
+            inequalities.iter().any(outside)
+        })
+    };
+    set.undecided.retain(|gap| !excluded(gap));
     // Beyond the range: what no condition stops there may be stable for ever.
     let all = || ordered.iter().map(|(_, inequality)| *inequality);
     if let Some(last) = set.intervals.last_mut()

@@ -31,4 +31,7 @@ pub use stable_set::{
     DEFAULT_BITS, StableInterval, StableSet, growth_limit, growth_set_beyond, stability_limit,
     stable_set, stable_set_to,
 };
-pub(crate) use stable_set::{MAX_BOXES, phase_of, phase_parameter, search_within, stable_set_of};
+pub(crate) use stable_set::{
+    FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, phase_of, phase_parameter,
+    search_within, stable_set_of,
+};

@@ -162,7 +162,29 @@ pub(crate) fn search_within(
     if margin.is_neutral() {
         return search(margin, max_courant, known, bits);
     }
-    Search::new(margin, max_courant, bits).within(boxes).knowing(known).run(max_courant, evidence)
+    Search::new(margin, max_courant, bits)
+        .within(boxes)
+        .patient(FIRST_PATIENCE)
+        .knowing(known)
+        .run(max_courant, evidence)
+}
+
+/// How many pieces of an unstable stretch may resist before it is no longer halved.
+pub(crate) const MAX_PATIENCE: usize = 2000;
+
+/// Pieces of an unstable stretch that may resist one condition at first: another may be violated there.
+pub(crate) const FIRST_PATIENCE: usize = 100;
+
+/// Whether some wave violates the margin at every value of the parameter between two: proved, or not known after so many pieces that
+/// resist.
+pub(crate) fn is_unstable_throughout(
+    margin: &Margin,
+    lower: &Rational,
+    upper: &Rational,
+    patience: usize,
+) -> bool {
+    let search = || Search::new(margin, upper, DEFAULT_BITS).patient(patience);
+    !margin.is_neutral() && search().is_unstable_throughout(lower, upper)
 }
 
 fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) -> StableSet {

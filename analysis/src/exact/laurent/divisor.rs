@@ -258,7 +258,9 @@ fn pseudo_remainder(a: &Laurent, b: &Laurent, variable: Variable) -> Laurent {
 /// `[f_1, f_2, …]` with `p = c f_1 f_2² f_3³ …`, each without multiple factors; monomial factors are dropped.
 pub(crate) fn square_free_factors(polynomial: &Laurent) -> Vec<Laurent> {
     let polynomial = normal(polynomial.primitive());
-    let Some(main) = (0..VARIABLES).map(Variable).find(|&v| polynomial.contains(v)) else {
+    // The variable of the least degree: few and short coefficients have their content found soonest.
+    let occurring = (0..VARIABLES).map(Variable).filter(|&v| polynomial.contains(v));
+    let Some(main) = occurring.min_by_key(|&v| polynomial.degree(v)) else {
         return Vec::new();
     };
     let content = polynomial.content(main);

@@ -2,7 +2,7 @@
 
 use super::edge::Edge;
 use super::stable_stretch::Stretch;
-use super::{DEFAULT_BITS, MAX_BOXES, StableInterval, StableSet};
+use super::{DEFAULT_BITS, MAX_BOXES, MAX_PATIENCE, StableInterval, StableSet};
 use crate::exact::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::exact::rational::{Rational, integer, to_f64};
 use crate::exact::real_roots::power_of_two;
@@ -40,6 +40,8 @@ pub(super) struct Search<'a> {
     known: Rational,
     /// Boxes one decision may look at.
     pub(super) budget: usize,
+    /// How many pieces of an unstable stretch may resist.
+    pub(super) patience: usize,
     pub(super) critical: OnceCell<Option<CriticalPolynomials>>,
     pub(super) touches: usize,
     pub(super) work: Work,
@@ -59,6 +61,7 @@ impl<'a> Search<'a> {
             guesses,
             known: Rational::zero(),
             budget: usize::MAX,
+            patience: MAX_PATIENCE,
             end,
             bits,
             critical: OnceCell::new(),
@@ -70,6 +73,11 @@ impl<'a> Search<'a> {
     /// With no more boxes for one decision.
     pub(super) fn within(self, budget: usize) -> Self {
         Self { budget, ..self }
+    }
+
+    /// Gives up unstable stretches after so many pieces that resist.
+    pub(super) fn patient(self, patience: usize) -> Self {
+        Self { patience, ..self }
     }
 
     /// Starts from a Courant number up to which stability is known.

@@ -10,9 +10,6 @@ use crate::stability::critical::resolving_phases;
 /// How often an unstable stretch may be halved in search of witnesses.
 const MAX_HALVINGS: u32 = 48;
 
-/// How many pieces of an unstable stretch may resist before it is no longer halved.
-const MAX_FAILURES: usize = 2000;
-
 impl Search<'_> {
     /// Proves the stretch from `from` to the next stable one unstable. Returns where it ends (`None`:
     /// not within the range) and what of it stays undecided, as Courant numbers.
@@ -32,6 +29,25 @@ impl Search<'_> {
         let to = edge.as_ref().map_or_else(|| self.end.clone(), |edge| edge.lower.clone());
         let mut witnesses = vec![witness];
         witnesses.extend(edge.as_ref().map(|edge| edge.s.clone()));
+        let mut gaps = self.not_covered(from, to, &witnesses);
+        gaps.retain(|(lower, upper)| !self.is_unstable_but_for_points(lower, upper));
+        let gaps = gaps.iter().map(|(lower, upper)| self.courant_numbers(lower, upper)).collect();
+        (edge, gaps)
+    }
+
+    /// Whether some wave grows at every value between two Courant numbers: proved, or not known.
+    pub(super) fn is_unstable_throughout(&mut self, lower: &Rational, upper: &Rational) -> bool {
+        let power = self.margin.stride() as i32;
+        self.not_covered(&lower.pow(power), upper.pow(power), &[]).is_empty()
+    }
+
+    /// The parts of a stretch that neither these waves nor those which floating point sees grow are proved to make unstable.
+    fn not_covered(
+        &mut self,
+        from: &Rational,
+        to: Rational,
+        witnesses: &[Rational],
+    ) -> Vec<(Rational, Rational)> {
         let mut gaps: Vec<(Rational, Rational)> = Vec::new();
         let mut failures = 0;
         let mut pending = vec![(from.clone(), to, MAX_HALVINGS)];
@@ -55,7 +71,7 @@ impl Search<'_> {
                 continue;
             }
             failures += 1;
-            if halvings == 0 || gaps.len() > 8 || failures > MAX_FAILURES {
+            if halvings == 0 || gaps.len() > 8 || failures > self.patience {
                 match gaps.last_mut() {
                     Some(last) if last.1 == lower => last.1 = upper,
                     _ => gaps.push((lower, upper)),
@@ -65,9 +81,7 @@ impl Search<'_> {
             pending.push((middle.clone(), upper, halvings - 1));
             pending.push((lower, middle, halvings - 1));
         }
-        gaps.retain(|(lower, upper)| !self.is_unstable_but_for_points(lower, upper));
-        let gaps = gaps.iter().map(|(lower, upper)| self.courant_numbers(lower, upper)).collect();
-        (edge, gaps)
+        gaps
     }
 
     /// The `s` of the resolving phase whose margin is lowest at `t`, if it is negative at all.
