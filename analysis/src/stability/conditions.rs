@@ -58,6 +58,8 @@ pub struct Conditions {
     pub leading: Laurent,
     /// The conditions contradict one another for every wave: a multiplier is always outside.
     pub nowhere: bool,
+    /// A condition vanishes only because squares of square roots are numbers: what else has common roots then is not looked at.
+    pub undecided: bool,
 }
 
 impl Conditions {
@@ -91,10 +93,9 @@ impl Conditions {
         conditions.add(coefficients, false, names);
         for requirement in &mut conditions.requirements {
             let reduced = names.reduce(std::mem::take(&mut requirement.polynomial));
+            conditions.undecided |= reduced.is_zero();
             requirement.polynomial = reduced;
         }
-        // A polynomial that squares of roots reduce to zero holds nothing back.
-        conditions.requirements.retain(|requirement| !requirement.polynomial.is_zero());
         conditions
     }
 

@@ -33,6 +33,17 @@ pub struct SearchPlan {
     pub known: Rational,
 }
 
+/// What a scheme asks for.
+#[derive(Debug, Clone)]
+pub enum Demands {
+    /// All of these.
+    All(Vec<Inequality>),
+    /// What cannot be: a multiplier lies outside for every wave and every value.
+    Nowhere,
+    /// What is not known: see [`Conditions::undecided`].
+    Unknown,
+}
+
 /// Values looked at when nobody says how far.
 pub const DEFAULT_RANGE: i64 = 100;
 
@@ -97,22 +108,18 @@ impl Step {
     /// # Errors
     /// As [`limit`](Self::limit).
     pub fn stable_set(&self, parameter: &str, plan: &SearchPlan) -> Result<StableSet, SchemeError> {
-        let Some(conditions) = self.inequalities(parameter, &plan.growth)? else {
-            return Ok(nowhere());
-        };
-        Ok(intersection(&conditions, plan))
+        Ok(match self.inequalities(parameter, &plan.growth)? {
+            Demands::Nowhere => nowhere(),
+            Demands::Unknown => unknown(plan),
+            Demands::All(inequalities) => intersection(&inequalities, plan),
+        })
     }
 
-    /// The conditions for `|z| ≤ 1 + growth` as polynomials in the wave and one parameter; `None` when they contradict one another
-    /// for every value.
+    /// The conditions for `|z| ≤ 1 + growth` as polynomials in the wave and one parameter.
     ///
     /// # Errors
     /// As [`limit`](Self::limit).
-    pub fn inequalities(
-        &self,
-        parameter: &str,
-        growth: &Rational,
-    ) -> Result<Option<Vec<Inequality>>, SchemeError> {
+    pub fn inequalities(&self, parameter: &str, growth: &Rational) -> Result<Demands, SchemeError> {
         let variable = self.variable(parameter)?;
         let open: Vec<String> =
             self.free_parameters().into_iter().filter(|name| name != parameter).collect();
@@ -126,7 +133,7 @@ impl Step {
         &self,
         variable: Option<Variable>,
         growth: &Rational,
-    ) -> Result<Option<Vec<Inequality>>, SchemeError> {
+    ) -> Result<Demands, SchemeError> {
         if self.dimension != 1 {
             return Err(SchemeError::Dimension(self.dimension));
         }
@@ -134,7 +141,7 @@ impl Step {
         if let Some(margin) = gain_margin(&characteristic, self, variable, growth) {
             let condition = Condition::Minor(1);
             let whatever_the_step = false;
-            return Ok(Some(vec![Inequality {
+            return Ok(Demands::All(vec![Inequality {
                 condition,
                 on_circle: false,
                 margin,
@@ -143,7 +150,10 @@ impl Step {
         }
         let conditions = Conditions::new(&characteristic, growth, &self.names);
         if conditions.nowhere {
-            return Ok(None);
+            return Ok(Demands::Nowhere);
+        }
+        if conditions.undecided {
+            return Ok(Demands::Unknown);
         }
         let inequality = |one: &Requirement| Inequality::new(one, &self.names, variable);
         let inequalities: Vec<Inequality> =
@@ -155,7 +165,7 @@ impl Step {
                 return expanded.inequalities_in(variable, growth);
             }
         }
-        Ok(Some(inequalities))
+        Ok(Demands::All(inequalities))
     }
 
     /// `(1 + growth)² − |g|²` of an explicit scheme for one unknown between two levels, with its parameter; `None` for other schemes.
@@ -212,6 +222,16 @@ fn nowhere() -> StableSet {
         neutral: false,
         evidence: Evidence::Proved,
         work: Work::default(),
+    }
+}
+
+/// Nothing is decided.
+fn unknown(plan: &SearchPlan) -> StableSet {
+    StableSet {
+        undecided: vec![(0.0, to_f64(&plan.max))],
+        immediately_unstable_phase: None,
+        evidence: Evidence::Undecided,
+        ..nowhere()
     }
 }
 
@@ -396,8 +416,10 @@ pub fn decide_step_at(step: &Step, growth: &Rational) -> Result<PointVerdict, Sc
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
-    let Some(inequalities) = step.inequalities_in(None, growth)? else {
-        return Ok(PointVerdict::Unstable(Rational::new(1.into(), 2.into())));
+    let inequalities = match step.inequalities_in(None, growth)? {
+        Demands::All(inequalities) => inequalities,
+        Demands::Nowhere => return Ok(PointVerdict::Unstable(Rational::new(1.into(), 2.into()))),
+        Demands::Unknown => return Ok(PointVerdict::Undecided),
     };
     let mut undecided = false;
     for inequality in inequalities.iter().filter(|one| !one.margin.is_neutral()) {

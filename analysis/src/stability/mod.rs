@@ -19,7 +19,7 @@ pub mod weak_instability;
 
 pub use accuracy_study::{AccuracyRow, LimitMethod, accuracy_study};
 pub use conditions::{Condition, Conditions, Requirement};
-pub use decision::{SearchPlan, decide_step_at};
+pub use decision::{Demands, SearchPlan, decide_step_at};
 pub use inequality::Inequality;
 pub use limit::{Binding, Cause, Evidence, ExactValue, Limit};
 pub(crate) use monotonicity::enclosed_coefficients;
