@@ -14,6 +14,8 @@ use std::collections::VecDeque;
 
 mod basis;
 mod cover;
+#[cfg(test)]
+mod resolution;
 
 use basis::{binomials, polar_weights, scaled_bernstein};
 pub use cover::{SignedBox, exact_cover};
