@@ -160,7 +160,7 @@ impl<'a> Reader<'a> {
                 let value = pi_enclosure();
                 let variable = self
                     .names
-                    .insert_letter(LetterKind::Constant, value, |_| "pi".into())
+                    .insert_letter(LetterKind::Constant, value, None, |_| "pi".into())
                     .map_err(too_many)?;
                 Ok(number(Fraction::variable(variable)))
             }
@@ -356,19 +356,32 @@ impl<'a> Reader<'a> {
             return Ok(number(Fraction::number(&value)));
         }
         let series = EnclosedSeries::new(&[value], radius);
-        self.letter(LetterKind::Constant, series, name, span)
+        self.letter(LetterKind::Constant, series, None, name, span)
             .map(|variable| number(Fraction::variable(variable)))
+    }
+
+    /// `Σ_k f(k)`: a letter, unless it is exact.
+    fn total(&mut self, function: &KernelFunction, span: &Span) -> Result<Scalar, LanguageError> {
+        let (sum, radius) = function.sum();
+        if radius.is_zero() {
+            return Ok(vec![(Fraction::number(&sum), None)]);
+        }
+        let series = EnclosedSeries::new(&[sum], radius);
+        let of = Some(function.clone());
+        let variable = self.letter(LetterKind::Constant, series, of, "s", span)?;
+        Ok(vec![(Fraction::variable(variable), None)])
     }
 
     fn letter(
         &mut self,
         kind: LetterKind,
         value: EnclosedSeries,
+        of: Option<KernelFunction>,
         name: &str,
         span: &Span,
     ) -> Result<Variable, LanguageError> {
         self.names
-            .insert_letter(kind, value, |number| match number {
+            .insert_letter(kind, value, of, |number| match number {
                 0 => name.to_string(),
                 _ => format!("{name}_{number}"),
             })
@@ -388,7 +401,7 @@ impl<'a> Reader<'a> {
         let series = EnclosedSeries::new(&[(&lower + &upper) / &two], (upper - lower) / two);
         let kind = LetterKind::SquareRoot(square.clone());
         let name = format!("sqrt({})", crate::exact::rational::to_text(square));
-        self.letter(kind, series, &name, span).map(|v| number(Fraction::variable(v)))
+        self.letter(kind, series, None, &name, span).map(|v| number(Fraction::variable(v)))
     }
 
     /// `1/scalar`; of a number with a radius, a new letter.
@@ -467,10 +480,8 @@ impl<'a> Reader<'a> {
                 let mut total: Scalar = Vec::new();
                 for (fraction, function) in scalar {
                     let function = function.unwrap_or_else(|| KernelFunction::one(reach));
-                    let (sum, radius) = function.sum();
-                    if let Value::Scalar(sum) = self.enclosed(sum, radius, "s", span)? {
-                        total = plus(total, times(&vec![(fraction, None)], &sum));
-                    }
+                    let sum = self.total(&function, span)?;
+                    total = plus(total, times(&vec![(fraction, None)], &sum));
                 }
                 return Ok(Value::Scalar(total));
             }
@@ -511,25 +522,23 @@ impl<'a> Reader<'a> {
                 kept.map(|(fraction, f)| (fraction, function(f))).collect::<Vec<_>>()
             };
             for (fraction, function) in occurring(sums) {
-                let (sum, radius) = function.sum();
-                if let Value::Scalar(sum) = self.enclosed(sum, radius, "s", span)? {
-                    push(&mut result, base, times(&vec![(fraction, None)], &sum));
-                }
+                let sum = self.total(&function, span)?;
+                push(&mut result, base, times(&vec![(fraction, None)], &sum));
             }
             let versines = occurring(versines).into_iter().map(|(fraction, f)| {
                 let shares = [(-1, (1, 4)), (0, (-1, 2)), (1, (1, 4))];
-                (fraction, f.versines(), LetterKind::Versines, shares)
+                (fraction, f.versines(), f, LetterKind::Versines, shares)
             });
             let sines = occurring(sines).into_iter().map(|(fraction, f)| {
                 let shares = [(-1, (-1, 2)), (0, (0, 1)), (1, (1, 2))];
-                (fraction, f.sines(), LetterKind::Sines, shares)
+                (fraction, f.sines(), f, LetterKind::Sines, shares)
             });
-            for (fraction, series, kind, shares) in versines.chain(sines) {
+            for (fraction, series, function, kind, shares) in versines.chain(sines) {
                 if series.is_zero() {
                     continue;
                 }
                 let name = if kind == LetterKind::Versines { "V" } else { "S" };
-                let variable = self.letter(kind, series, name, span)?;
+                let variable = self.letter(kind, series, Some(function), name, span)?;
                 let letter = fraction.times(&Fraction::variable(variable));
                 for (step, (numerator, denominator)) in shares {
                     let share =

@@ -11,6 +11,7 @@ pub mod language;
 mod linear;
 mod lines;
 mod names;
+mod one_step;
 mod step;
 pub mod symbol;
 
@@ -18,6 +19,7 @@ pub use integrator_data::{Coefficient, Integrator, IntegratorFileError, Integrat
 pub use kernel_function::KernelLattice;
 pub use lines::Lines;
 pub use names::{Letter, LetterKind, Name, Names};
+pub use one_step::OneStep;
 pub use step::{SchemeError, Step};
 
 use crate::exact::rational::{Rational, integer, ratio as fraction};

@@ -3,6 +3,7 @@
 use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::laurent::{Laurent, NAMES, VARIABLES, Variable};
 use crate::exact::rational::Rational;
+use crate::scheme::kernel_function::KernelFunction;
 use num_bigint::BigInt;
 use num_traits::One;
 
@@ -25,6 +26,8 @@ pub struct Letter {
     pub kind: LetterKind,
     /// The value with its radius, as a cosine series.
     pub value: EnclosedSeries,
+    /// The function whose sum it is, so that sums of the same one can be brought together again.
+    pub(crate) of: Option<KernelFunction>,
 }
 
 /// What a letter stands for.
@@ -92,15 +95,15 @@ impl Names {
         &mut self,
         kind: LetterKind,
         value: EnclosedSeries,
+        of: Option<KernelFunction>,
         name: impl Fn(usize) -> String,
     ) -> Result<Variable, TooManyNames> {
-        let same =
-            |known: &Name| matches!(known, Name::Letter(l) if l.kind == kind && l.value == value);
+        let same = |known: &Name| matches!(known, Name::Letter(l) if l.kind == kind && l.value == value && l.of == of);
         if let Some(number) = self.0.iter().position(same) {
             return Ok(Variable::name(number));
         }
         let name = name(self.letters().count());
-        self.push(Name::Letter(Letter { name, kind, value }))
+        self.push(Name::Letter(Letter { name, kind, value, of }))
     }
 
     fn push(&mut self, name: Name) -> Result<Variable, TooManyNames> {

@@ -219,6 +219,7 @@ fn nowhere() -> StableSet {
         // Any wave will do.
         immediately_unstable_phase: Some(std::f64::consts::FRAC_PI_2),
         immediate_binding: None,
+        immediate_offset: None,
         neutral: false,
         evidence: Evidence::Proved,
         work: Work::default(),
@@ -245,6 +246,7 @@ fn everything(plan: &SearchPlan, evidence: Evidence) -> StableSet {
         undecided: Vec::new(),
         immediately_unstable_phase: None,
         immediate_binding: None,
+        immediate_offset: None,
         neutral: true,
         evidence,
         work: Work::default(),

@@ -9,6 +9,7 @@ mod decision;
 mod inequality;
 mod limit;
 pub mod margin;
+mod monotone_set;
 mod monotonicity;
 mod pointwise;
 mod sampled;

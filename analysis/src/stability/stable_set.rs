@@ -44,6 +44,8 @@ pub struct StableSet {
     pub immediately_unstable_phase: Option<f64>,
     /// The condition that fails at once, when no small Courant number is stable.
     pub immediate_binding: Option<Binding>,
+    /// For monotonicity: the coefficient that is negative at once.
+    pub immediate_offset: Option<i64>,
     /// `|g| = 1` for every wave and every Courant number.
     pub neutral: bool,
     /// What stands behind the answer.
@@ -65,6 +67,10 @@ impl StableSet {
                 let zero = Limit::exactly(ExactValue::Fraction(Rational::zero()), self.evidence);
                 let zero = match self.immediate_binding {
                     Some(binding) => zero.bound_by(binding).included_if(true),
+                    None => zero,
+                };
+                let zero = match self.immediate_offset {
+                    Some(offset) => zero.at_offset(offset),
                     None => zero,
                 };
                 match self.immediately_unstable_phase {
@@ -198,6 +204,7 @@ fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) 
             undecided: Vec::new(),
             immediately_unstable_phase: None,
             immediate_binding: None,
+            immediate_offset: None,
             neutral: true,
             evidence,
             work: Work::default(),

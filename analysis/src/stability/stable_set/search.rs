@@ -163,6 +163,7 @@ impl<'a> Search<'a> {
             undecided,
             immediately_unstable_phase,
             immediate_binding: None,
+            immediate_offset: None,
             neutral: false,
             evidence,
             work: self.work,

@@ -1,0 +1,83 @@
+//! Explicit schemes for one unknown between two levels, as people know them: `u_j^{n+1} = Σ_k c_k(p) u_{j+k}^n`.
+
+mod expansion;
+mod print;
+
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, integer, to_f64};
+use crate::scheme::Step;
+use num_complex::Complex64;
+use num_traits::{One, Zero};
+
+/// The coefficients of `u_j^{n+1} = Σ_k c_k(p) u_{j+k}^n`, polynomials in one parameter `p`.
+///
+/// ```
+/// use courant_analysis::scheme::Step;
+/// let upwind = Step::from_text("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])")?;
+/// let one_step = upwind.one_step("C").unwrap();
+/// assert_eq!(one_step.to_text(), "g(φ) = 1 + C (-1 + cos φ - i sin φ)");
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct OneStep {
+    /// The parameter.
+    pub parameter: String,
+    /// Every coefficient that is not identically zero: its offset `k`, ascending, `c_k` in powers of the parameter, and how far each
+    /// power may be from the true one (zero polynomial where the weights are exact).
+    pub coefficients: Vec<(i64, Polynomial<Rational>, Polynomial<Rational>)>,
+    /// Whether a constant is mapped to itself at every value of the parameter: decided from the structure of the scheme, whatever
+    /// the weights are exactly.
+    pub keeps_constants: bool,
+}
+
+impl Step {
+    /// The coefficients of an explicit scheme for one unknown between two levels, once auxiliaries are substituted; `None` for other
+    /// schemes, in more than one dimension, or when another parameter has no value.
+    pub fn one_step(&self, parameter: &str) -> Option<OneStep> {
+        let variable = self.names.parameter(parameter)?;
+        let only = self.free_parameters().iter().all(|name| name == parameter);
+        if !only || self.dimension != 1 {
+            return None;
+        }
+        let (coefficients, keeps_constants) = expansion::coefficients(self, variable)?;
+        Some(OneStep { parameter: parameter.into(), coefficients, keeps_constants })
+    }
+}
+
+impl OneStep {
+    /// Whether all coefficients are known exactly.
+    pub fn is_exact(&self) -> bool {
+        self.coefficients.iter().all(|(_, _, radius)| radius.is_zero())
+    }
+
+    /// `c_k`, without its radius.
+    pub fn coefficient(&self, offset: i64) -> Polynomial<Rational> {
+        let found = self.coefficients.iter().find(|(known, _, _)| *known == offset);
+        found.map_or_else(Polynomial::zero, |(_, center, _)| center.clone())
+    }
+
+    /// The moment `Σ_k c_k k^power`, a polynomial in the parameter.
+    pub fn moment(&self, power: u32) -> Polynomial<Rational> {
+        let terms = self.coefficients.iter();
+        terms.fold(Polynomial::zero(), |sum, (offset, center, _)| {
+            sum + center.scale(&integer(*offset).pow(power as i32))
+        })
+    }
+
+    /// `Σ_k c_k`, the factor by which one step multiplies the mean.
+    pub fn mean_gain(&self) -> Polynomial<Rational> {
+        if self.keeps_constants { Polynomial::one() } else { self.moment(0) }
+    }
+
+    /// The amplification factor `g(φ) = Σ_k c_k e^{ikφ}`; the phase in radians.
+    pub fn gain(&self, parameter: f64, phase: f64) -> Complex64 {
+        let terms = self.coefficients.iter().map(|(offset, center, _)| {
+            let value = center.map(to_f64).evaluate(&parameter);
+            value * Complex64::from_polar(1.0, *offset as f64 * phase)
+        });
+        terms.sum()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,174 @@
+use super::*;
+use crate::exact::rational::{ratio, to_f64};
+use crate::kernel::Kernel;
+use crate::kernel::lattice::LatticeWeights;
+use crate::scheme::{KernelLattice, catalogue};
+use proptest::prelude::*;
+
+fn sph(scheme: &str, kernel: Kernel, l: Rational) -> StableSet {
+    let lattice = KernelLattice::new(kernel, &l).unwrap();
+    let step = catalogue::scheme(scheme).unwrap().step(Some(&lattice), None, &[], Some("C"));
+    step.unwrap().monotone_set("C", &SearchPlan::default()).unwrap().unwrap()
+}
+
+fn set(text: &str) -> StableSet {
+    let step = Step::from_text(text).unwrap();
+    step.monotone_set("C", &SearchPlan::default().up_to(integer(10))).unwrap().unwrap()
+}
+
+#[test]
+fn lax_wendroff_and_euler_are_not_monotone_from_zero() {
+    for scheme in ["lax-wendroff-sph", "euler-sph"] {
+        for kernel in Kernel::ALL {
+            let set = sph(scheme, kernel, ratio(3, 2));
+            assert_eq!(set.limit().value(), 0.0, "{scheme} {kernel}");
+            assert_eq!(set.limit().binding_offset(), Some(1));
+        }
+    }
+}
+
+#[test]
+fn lax_wendroff_is_monotone_in_a_window() {
+    // One neighbour: c_{±1} = ∓wC + vC²/2 and c_0 = 1 + v_0 C²/2, so from 2w/v to √(−2/v_0).
+    let l = ratio(3, 5);
+    let weights = LatticeWeights::new(Kernel::WendlandC4, &l).unwrap();
+    let set = sph("lax-wendroff-sph", Kernel::WendlandC4, l);
+    let [only] = set.intervals.as_slice() else { panic!("{set:?}") };
+    let from = &weights.gradient[0] * integer(2) / &weights.curvature[1];
+    assert_eq!(only.from.exact(), Some(&ExactValue::Fraction(from)));
+    let square = integer(-2) / &weights.curvature[0];
+    assert_eq!(only.to.exact(), Some(&ExactValue::square_root(square)));
+    assert_eq!((only.from.binding_offset(), only.to.binding_offset()), (Some(1), Some(0)));
+    assert!((only.from.value() - 0.110).abs() < 1e-3 && (only.to.value() - 0.406).abs() < 1e-3);
+    assert!(set.contains(&ratio(1, 4)) && !set.contains(&ratio(1, 10)));
+    assert_eq!((set.limit().value(), set.limit().binding_offset()), (0.0, Some(1)));
+}
+
+#[test]
+fn an_irrational_limit_is_a_root_of_its_coefficient() {
+    // c_0 = 1 − C − C² beside c_{−1} = C + C²: the golden section.
+    let limit = set("u[n+1,j] = u[n,j] - (C + C^2)*(u[n,j] - u[n,j-1])").limit();
+    assert_eq!(limit.equation().unwrap().equation("C"), "-C^2 - C + 1 = 0");
+    assert_eq!(limit.decimal(20).unwrap(), "0.61803398874989484820");
+    // A pure square is a square root.
+    let limit = sph("lax-wendroff-sph", Kernel::CubicSpline, ratio(1, 2)).limit();
+    assert_eq!(limit.exact().unwrap().to_string(), "sqrt(1/8)");
+}
+
+#[test]
+fn touching_zero_binds_nothing_and_isolated_points_are_no_interval() {
+    // c_1 = C (C − 1)², c_0 = 2 − C: the touch at 1 passes, the crossing at 2 binds.
+    let limit = set("u[n+1,j] = (2 - C)*u[n,j] + C*(C - 1)^2*u[n,j+1]").limit();
+    assert_eq!((limit.value(), limit.binding_offset()), (2.0, Some(0)));
+    // C² − 2 and 2 − C² agree at √2 alone, however their roots are enclosed.
+    let none = set("u[n+1,j] = (C^2 - 2)*u[n,j] + (2 - C^2)*(3 + C)*u[n,j+1]");
+    assert!(none.intervals.is_empty() && none.undecided.is_empty());
+    // (C − 1)(C − 2)(C − 3) and 1 + C: two intervals.
+    let two = set("u[n+1,j] = (C - 1)*(C - 2)*(C - 3)*u[n,j] + (1 + C)*u[n,j-1]");
+    let ends: Vec<_> = two.intervals.iter().map(|i| (i.from.value(), i.to.value())).collect();
+    assert_eq!(ends, [(1.0, 2.0), (3.0, f64::INFINITY)]);
+    assert!(!two.intervals[1].to.is_unbounded());
+}
+
+#[test]
+fn what_is_positive_for_ever_and_what_is_not_asked() {
+    let always = set("u[n+1,j] = u[n,j] + C*u[n,j-1]");
+    assert!(always.intervals[0].to.is_unbounded());
+    let implicit = Step::from_text("u[n+1,j] + C*(u[n+1,j] - u[n+1,j-1]) = u[n,j]").unwrap();
+    assert!(implicit.monotone_set("C", &SearchPlan::default()).unwrap().is_none());
+    assert!(implicit.monotone_set("D", &SearchPlan::default()).is_err());
+}
+
+#[test]
+fn what_only_the_data_leave_open_is_undecided() {
+    let weights = |gradient: Rational, radius: Rational| LatticeWeights {
+        gradient: vec![ratio(1, 2), gradient],
+        curvature: vec![integer(-2), integer(1), integer(0)],
+        radius,
+    };
+    let scheme = catalogue::scheme("godunov-sph").unwrap();
+    let set = |gradient, radius| {
+        let lattice = KernelLattice::from_weights(integer(1), weights(gradient, radius));
+        let step = scheme.step(Some(&lattice), None, &[], Some("C")).unwrap();
+        step.monotone_set("C", &SearchPlan::default()).unwrap().unwrap()
+    };
+    // A weight that may have either sign.
+    let open = set(ratio(0, 1), ratio(1, 1000));
+    assert!(open.intervals.is_empty() && open.undecided[0].0 == 0.0, "{open:?}");
+    assert_eq!(open.limit().evidence(), Evidence::Undecided);
+    // One that has not: 1 − 2C (1/2 + 1/4 ± 2/1000).
+    let limit = set(ratio(1, 4), ratio(1, 1000)).limit();
+    assert_eq!(limit.evidence(), Evidence::Enclosed);
+    assert!(
+        (limit.lower() - 1.0 / 1.504).abs() < 1e-12 && (limit.upper() - 1.0 / 1.496).abs() < 1e-12
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn godunov_is_the_inverse_of_twice_the_sum(numerator in 6i64..120) {
+        let l = ratio(numerator, 10);
+        for kernel in Kernel::ALL {
+            let limit = sph("godunov-sph", kernel, l.clone()).limit();
+            let sum: f64 = (1..400)
+                .map(|k| {
+                    let q = f64::from(k) * 10.0 / numerator as f64;
+                    let inside = integer(k.into()) <= kernel.exact_support() * &l;
+                    if inside { -kernel.slope(q.min(kernel.support())) } else { 0.0 }
+                })
+                .sum::<f64>() / to_f64(&l).powi(2);
+            prop_assert!((limit.value() * 2.0 * sum - 1.0).abs() < 1e-13, "{} {}", kernel, l);
+            prop_assert!(limit.upper() - limit.lower() <= 1e-15 * limit.value());
+        }
+    }
+
+    #[test]
+    fn a_value_is_monotone_where_all_coefficients_are_non_negative(
+        values in prop::collection::vec(prop::collection::vec(-6i64..7, 1..5), 1..4), n in 1i64..60
+    ) {
+        let terms: Vec<String> = values.iter().enumerate().map(|(offset, coefficients)| {
+            let powers = coefficients.iter().enumerate().map(|(p, c)| format!("{c}*C^{p}"));
+            format!("({})*u[n,j+{offset}]", powers.collect::<Vec<_>>().join("+"))
+        }).collect();
+        let text = format!("u[n+1,j] = {}", terms.join(" + "));
+        // All terms may vanish.
+        let Ok(step) = Step::from_text(&text) else { return Ok(()) };
+        let Ok(Some(set)) = step.monotone_set("C", &SearchPlan::default().up_to(integer(10))) else { return Ok(()) };
+        let point = ratio(n, 7);
+        prop_assume!(point < integer(10));
+        let at = |c: &Vec<i64>| c.iter().rev().fold(Rational::zero(), |sum, v| sum * &point + integer(*v));
+        let negative = values.iter().any(|c| at(c).is_negative());
+        let positive = values.iter().all(|c| at(c).is_positive() || c.iter().all(|v| *v == 0));
+        if negative { prop_assert!(!set.contains(&point), "{}", text); }
+        if positive { prop_assert!(set.contains(&point), "{}", text); }
+    }
+}
+
+// (temporary) old against new
+#[test]
+fn temporary_limits_agree() {
+    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    for kernel in Kernel::ALL {
+        for l in [
+            ratio(1, 4),
+            ratio(1, 2),
+            ratio(3, 5),
+            integer(1),
+            ratio(13, 10),
+            ratio(3, 2),
+            integer(2),
+            integer(3),
+            ratio(41, 10),
+        ] {
+            for scheme in AdvectionScheme::ALL {
+                let symbol = Discretisation::new(scheme, kernel, l.clone()).unwrap().symbol();
+                let old = crate::stability::monotonicity_limit(&symbol, &integer(100));
+                let new = sph(scheme.name(), kernel, l.clone()).limit();
+                let shown =
+                    |l: &Limit| format!("{l:?}").replace("unbounded: true", "unbounded: false");
+                assert_eq!(shown(&old), shown(&new), "{scheme} {kernel} {l}");
+            }
+        }
+    }
+}
