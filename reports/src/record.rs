@@ -7,6 +7,45 @@ use courant_analysis::stability::verdict::Check;
 use courant_analysis::stability::{Evidence, Limit, StableSet};
 use courant_analysis::waves::consistency::consistency;
 use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What was judged, by its names.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SubjectRecord {
+    /// The scheme's name, or its equations as they were typed.
+    pub scheme: String,
+    /// The same for a particle method.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub method: Option<String>,
+    /// Which relation of Godunov particle hydrodynamics.
+    pub form: Option<&'static str>,
+    /// The same for a space that an integrator completes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub space: Option<String>,
+    /// The time integrator.
+    pub integrator: Option<String>,
+    /// The coefficient of viscosity.
+    pub alpha: Option<f64>,
+    /// The kernel's name.
+    pub kernel: Option<&'static str>,
+    /// The smoothing ratio, exactly.
+    pub ratio: Option<String>,
+    /// The equation of state of a particle method.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub eos: Option<String>,
+    /// Where its density comes from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub density: Option<&'static str>,
+    /// How its particles lie.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lattice: Option<&'static str>,
+    /// The number of space dimensions.
+    pub dimension: usize,
+    /// The parameter in question.
+    pub parameter: String,
+    /// The values of the others, exactly.
+    pub parameters: BTreeMap<String, String>,
+}
 
 /// A limit. A number that is not finite is `null`, and `reason` says why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,22 +76,34 @@ pub struct LimitRecord {
     /// For monotonicity: the offset of the coefficient that turns negative.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub binding_offset: Option<i64>,
+    /// The condition on the multipliers that fails beyond.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub binding: Option<String>,
+    /// Whether the property holds at the limit itself.
+    pub included: bool,
+    /// Whether no limit was met in the range looked at.
+    pub unbounded: bool,
+    /// Whether it is proved that there is none at all.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub without_end: bool,
     /// Why the value is `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
 }
 
-impl From<&Limit> for LimitRecord {
-    fn from(limit: &Limit) -> Self {
+impl LimitRecord {
+    /// The record of a limit of what is called `symbol`, with its digits where they were asked for.
+    pub fn new(limit: &Limit, symbol: &str, digits: Option<usize>) -> Self {
         let unlimited = limit.value().is_infinite();
+        let undecided = limit.evidence() == Evidence::Undecided;
         Self {
             value: finite(limit.value()),
             lower: limit.lower() + 0.0,
             upper: finite(limit.upper()),
             exact: limit.exact().map(ToString::to_string),
-            decimal: None,
+            decimal: digits.and_then(|digits| limit.decimal(digits)),
             equation: limit.equation().map(|root| EquationRecord {
-                text: root.equation("C"),
+                text: root.equation(symbol),
                 polynomial: {
                     let polynomial = root.polynomial();
                     polynomial.coefficients().iter().map(ToString::to_string).collect()
@@ -66,11 +117,28 @@ impl From<&Limit> for LimitRecord {
             critical_phase: limit.critical_phase(),
             cause: limit.cause().map(|cause| cause.name()),
             binding_offset: limit.binding_offset(),
-            reason: unlimited.then(|| match limit.evidence() {
-                Evidence::Undecided => "undecided".into(),
-                _ => format!("no limit up to C = {}", significant(limit.lower(), 6)),
+            binding: limit.binding().map(|binding| binding.name()),
+            included: limit.is_included() && !unlimited,
+            unbounded: unlimited && !undecided,
+            without_end: limit.is_unbounded(),
+            reason: unlimited.then(|| {
+                let lower = significant(limit.lower(), 6);
+                match limit.evidence() {
+                    Evidence::Undecided if limit.lower() > 0.0 => {
+                        format!("undecided beyond {symbol} = {lower}")
+                    }
+                    Evidence::Undecided => "undecided".into(),
+                    _ if limit.is_unbounded() => format!("no limit: it holds for every {symbol}"),
+                    _ => format!("no limit up to {symbol} = {lower}"),
+                }
             }),
         }
+    }
+}
+
+impl From<&Limit> for LimitRecord {
+    fn from(limit: &Limit) -> Self {
+        Self::new(limit, "C", None)
     }
 }
 
@@ -83,7 +151,7 @@ pub struct EquationRecord {
     pub polynomial: Vec<String>,
 }
 
-/// One stable interval of Courant numbers; `to` is `null` where it goes on beyond the range.
+/// One interval of values of a parameter; `to` is `null` where it goes on beyond the range.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct IntervalRecord {
     /// Where it begins.
@@ -121,7 +189,7 @@ impl IntervalRecord {
 pub struct GrowthRecord {
     /// The permitted growth per step.
     pub growth: f64,
-    /// The largest Courant number up to which `|g| ≤ 1 + growth`.
+    /// The largest value up to which no multiplier exceeds `1 + growth`.
     pub value: Option<f64>,
     /// The enclosure.
     pub limit: LimitRecord,
@@ -130,36 +198,47 @@ pub struct GrowthRecord {
 /// One row of `limits`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LimitsRow {
-    /// The scheme's name.
-    pub scheme: String,
-    /// The kernel's name.
-    pub kernel: String,
-    /// The smoothing ratio, exactly.
-    pub ratio: String,
-    /// `|g| ≤ 1`.
+    /// What was judged.
+    #[serde(flatten)]
+    pub subject: SubjectRecord,
+    /// No wave grows.
     pub stability: LimitRecord,
     /// All stable intervals in the range.
     pub stable_set: Vec<IntervalRecord>,
     /// Intervals that could not be decided.
     pub undecided: Vec<IntervalRecord>,
+    /// The limit as `c Δt/Δ`, of a particle method.
+    pub per_spacing: Option<f64>,
+    /// The limit as `c Δt/σ` with the standard deviation σ of the kernel.
+    pub per_standard_deviation: Option<f64>,
+    /// The condition on the multipliers that fails beyond the limit.
+    pub binding: Option<String>,
+    /// Whether the limit itself is stable.
+    pub limit_included: bool,
     /// All coefficients non-negative.
-    pub monotonicity: LimitRecord,
+    pub monotonicity: Option<LimitRecord>,
+    /// All intervals where they are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub monotone_set: Option<Vec<IntervalRecord>>,
+    /// Why there is no monotone limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub monotonicity_reason: Option<&'static str>,
     /// Limits for the growth budgets asked for.
     pub growth_limits: Vec<GrowthRecord>,
-    /// Whether `g(0) = 1` at every Courant number.
+    /// Whether what is the same everywhere and does not move stays so.
     pub keeps_constants: bool,
 }
 
-/// The stable intervals of a set.
-pub fn intervals(set: &StableSet) -> Vec<IntervalRecord> {
-    set.intervals
-        .iter()
-        .map(|i| IntervalRecord {
-            begin: Some((&i.from).into()),
-            end: Some((&i.to).into()),
-            ..IntervalRecord::new(i.from.upper(), i.to.value(), i.to.lower())
-        })
-        .collect()
+/// The intervals of a set; 0 alone where it is the limit.
+pub fn intervals(set: &StableSet, symbol: &str) -> Vec<IntervalRecord> {
+    let limit = set.limit();
+    let zero = (limit.upper() == 0.0).then(|| IntervalRecord::new(0.0, 0.0, 0.0));
+    let others = set.intervals.iter().map(|interval| IntervalRecord {
+        begin: Some(LimitRecord::new(&interval.from, symbol, None)),
+        end: Some(LimitRecord::new(&interval.to, symbol, None)),
+        ..IntervalRecord::new(interval.from.upper(), interval.to.value(), interval.to.lower())
+    });
+    zero.into_iter().chain(others).collect()
 }
 
 /// What could not be decided.

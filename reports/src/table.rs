@@ -85,14 +85,25 @@ impl Table {
         self.columns.iter().map(|(_, align)| *align)
     }
 
-    /// Aligned columns for a terminal, the caption above.
-    pub fn to_text(&self) -> String {
-        let widths: Vec<usize> = (0..self.columns.len())
+    /// The widest cell of every column.
+    fn widths(&self) -> Vec<usize> {
+        (0..self.columns.len())
             .map(|index| {
                 let cells = self.rows.iter().map(|row| width(&row[index].text));
                 cells.chain([width(&self.columns[index].0)]).max().unwrap_or(0)
             })
-            .collect();
+            .collect()
+    }
+
+    /// How many columns of a terminal [`to_text`](Self::to_text) takes.
+    pub fn width(&self) -> usize {
+        let widths = self.widths();
+        widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
+    }
+
+    /// Aligned columns for a terminal, the caption above.
+    pub fn to_text(&self) -> String {
+        let widths = self.widths();
         let line = |cells: Vec<&str>| {
             let mut text = String::new();
             for ((cell, wanted), (_, align)) in cells.iter().zip(&widths).zip(&self.columns) {

@@ -3,6 +3,8 @@
 mod check;
 mod dispersion;
 mod error;
+mod judged;
+mod limit_text;
 mod limits;
 mod list;
 mod manual;

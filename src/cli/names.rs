@@ -1,7 +1,8 @@
 //! Names of kernels and schemes, with a suggestion when one is misspelt.
 
 use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::AdvectionScheme;
+use courant::analysis::scheme::{AdvectionScheme, Integrator, catalogue};
+use std::sync::Arc;
 
 /// A kernel by name or alias.
 pub fn kernel(text: &str) -> Result<Kernel, String> {
@@ -17,9 +18,55 @@ pub fn scheme(text: &str) -> Result<AdvectionScheme, String> {
         .map_err(|_| unknown("scheme", text, &AdvectionScheme::ALL.map(AdvectionScheme::name)))
 }
 
+/// An integrator by name, alias or file; particle codes mean kick–drift–kick by `leapfrog`.
+pub fn integrator(name: &str, particles: bool) -> Result<Arc<Integrator>, String> {
+    if name.ends_with(".toml") {
+        let text = std::fs::read_to_string(name).map_err(|error| unreadable(&error))?;
+        return Integrator::from_toml(&text).map(Arc::new).map_err(|error| error.to_string());
+    }
+    let find = if particles { Integrator::for_particles } else { Integrator::named };
+    find(name).map(|found| Arc::new(found.clone())).ok_or_else(|| {
+        let entries = catalogue::integrators().iter().flat_map(|one| {
+            let names = [&one.name].into_iter().chain(&one.aliases);
+            names.map(|name| (name.as_str(), one.name.as_str()))
+        });
+        unknown_among("integrator", name, entries, "integrators")
+    })
+}
+
+/// Why a file that the user names is of no use.
+pub fn unreadable(error: &std::io::Error) -> String {
+    format!("the file cannot be read: {error}")
+}
+
 /// What to say of a name that is none: the nearest one, and all of them.
 pub fn unknown(what: &str, text: &str, all: &[&str]) -> String {
     with_aliases(what, text, all, std::iter::empty())
+}
+
+/// The same where there are too many to name: pairs of an accepted name and the one it stands for, which `courant list` has under a topic.
+pub fn unknown_among<'a>(
+    what: &str,
+    text: &str,
+    entries: impl Iterator<Item = (&'a str, &'a str)>,
+    topic: &str,
+) -> String {
+    let wanted = text.to_ascii_lowercase();
+    let mut ranked: Vec<(usize, &str)> =
+        entries.map(|(name, stands_for)| (distance(&wanted, name), stands_for)).collect();
+    ranked.sort();
+    let near = |(steps, name): &&(usize, &str)| *steps <= 1 + name.len() / 3;
+    let mut nearest: Vec<&str> = Vec::new();
+    for (_, name) in ranked.iter().filter(near) {
+        if nearest.len() < 3 && !nearest.contains(name) {
+            nearest.push(name);
+        }
+    }
+    let hint = match nearest.as_slice() {
+        [] => String::new(),
+        names => format!("did you mean `{}`? ", names.join("` or `")),
+    };
+    format!("there is no such {what}; {hint}see courant list {topic}")
 }
 
 fn with_aliases<'a>(

@@ -8,6 +8,9 @@ use std::collections::HashSet;
 /// The largest Courant number that is judged.
 const MAX_COURANT: i64 = 1_000_000;
 
+/// The largest coefficient of viscosity that is looked at.
+pub const MAX_ALPHA: i64 = 1_000_000;
+
 /// Values in one list or range at most.
 const MAX_VALUES: i64 = 100_000;
 
@@ -119,6 +122,14 @@ pub fn courant_number(text: &str) -> Result<Rational, String> {
     }
 }
 
+/// A number within bounds.
+pub fn within(value: Rational, least: i64, most: i64) -> Result<Rational, String> {
+    if value < integer(least) || value > integer(most) {
+        return Err(format!("{} is out of range: from {least} to {most}", brief(&value)));
+    }
+    Ok(value)
+}
+
 /// A number that is not negative.
 pub fn non_negative(text: &str) -> Result<Rational, String> {
     let value = number(text)?;
@@ -180,6 +191,11 @@ pub fn particles(text: &str) -> Result<usize, String> {
 /// A number of phases.
 pub fn phases(text: &str) -> Result<usize, String> {
     count(text, 2, 10_000_000)
+}
+
+/// Boxes of a search.
+pub fn budget(text: &str) -> Result<usize, String> {
+    count(text, 1, usize::MAX)
 }
 
 /// A number of significant digits.

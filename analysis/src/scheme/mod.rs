@@ -3,6 +3,7 @@
 //! A scheme is whatever has a [symbol](Scheme::symbol).
 
 pub mod catalogue;
+mod constants;
 pub mod integrator;
 mod integrator_data;
 mod kernel_function;

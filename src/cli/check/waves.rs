@@ -1,8 +1,8 @@
 //! `courant check --method`: the verdict on one time step of a particle method.
 
 use super::{Arguments, conclude, describe, words};
-use crate::cli::limits::waves::{NO_MONOTONICITY, default_range, record};
-use crate::cli::subject::{SteppedMethod, SteppedRecord};
+use crate::cli::judged::{NO_MONOTONICITY, default_range, record};
+use crate::cli::judged::{SteppedMethod, SteppedRecord};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::stability::ExactValue;

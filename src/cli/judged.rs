@@ -99,3 +99,16 @@ impl SteppedMethod {
         format!("{}, {}", self.method.title(), self.integrator.title())
     }
 }
+
+/// Why a limit of time steps has no monotone one beside it.
+pub const NO_MONOTONICITY: &str = "monotonicity is a property of advection schemes";
+
+/// The steps `c Δt/h` searched by default: several times any limit of these integrators.
+pub fn default_range() -> Rational {
+    courant::analysis::exact::rational::integer(10)
+}
+
+/// A limit as JSON, in the words of time steps.
+pub fn record(limit: &courant::analysis::stability::Limit) -> courant::reports::record::LimitRecord {
+    courant::reports::record::LimitRecord::new(limit, "x", None)
+}

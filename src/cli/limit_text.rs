@@ -1,0 +1,133 @@
+//! Limits as people read them.
+
+use courant::analysis::stability::{Evidence, Limit, StableSet};
+use courant::reports::number::significant;
+use courant::reports::record::exact_latex;
+use courant::reports::table::Cell;
+use std::f64::consts::PI;
+
+/// Digits shown when no number of them is asked for.
+pub const DEFAULT_DIGITS: usize = 11;
+
+/// The longest closed form that a column has room for.
+const LONGEST_EXACT: usize = 18;
+
+/// The longest equation that is shown below a table; longer ones are in the JSON.
+const LONGEST_EQUATION: usize = 160;
+
+/// A limit in digits: none is rounded up, so that what is printed may be used.
+pub fn digits(limit: &Limit, asked: Option<usize>, otherwise: usize) -> String {
+    if limit.evidence() == Evidence::Undecided && limit.lower() == 0.0 {
+        return "undecided".into();
+    }
+    let shown = match asked {
+        Some(digits) => limit.decimal(digits),
+        None => limit.proved_decimal(otherwise),
+    };
+    match shown {
+        Some(digits) => digits,
+        None if limit.is_unbounded() => "∞".into(),
+        None => format!("> {}", significant(limit.lower(), 6)),
+    }
+}
+
+/// The closed form where it is short enough to be read.
+pub fn exact(limit: &Limit) -> Cell {
+    if let Some(root) = limit.equation() {
+        return format!("root, degree {}", root.degree()).into();
+    }
+    let text = limit.exact().map_or_else(String::new, ToString::to_string);
+    match exact_latex(limit) {
+        _ if text.chars().count() > LONGEST_EXACT => "(below)".into(),
+        Some(latex) => Cell::with_latex(text, latex),
+        None => text.into(),
+    }
+}
+
+/// The closed form that [`exact`] has no room for, or the equation the limit solves: what stands below the table.
+pub fn exact_below(limit: &Limit, symbol: &str) -> Option<String> {
+    if let Some(root) = limit.equation() {
+        let text = root.equation(symbol);
+        return Some(if text.len() <= LONGEST_EQUATION {
+            format!("{symbol} solves {text}")
+        } else {
+            format!("{symbol} is a root of a polynomial of degree {}: see --format json", root.degree())
+        });
+    }
+    let text = limit.exact()?.to_string();
+    let long = text.chars().count() > LONGEST_EXACT;
+    long.then(|| match text.len() <= LONGEST_EQUATION {
+        true => format!("{symbol} = {text}"),
+        false => format!("{symbol} is a fraction of {} digits: see --format json", text.len() - 1),
+    })
+}
+
+/// The wave that binds, by its length in spacings.
+pub fn wave(limit: &Limit) -> String {
+    match (limit.cause(), limit.critical_phase()) {
+        (Some(cause), Some(phase)) if phase > 0.0 => {
+            format!("{}, {} Δ", cause.name(), length(phase))
+        }
+        (Some(cause), _) => cause.name().into(),
+        (None, _) => "–".into(),
+    }
+}
+
+/// The length of a wave in spacings.
+pub fn length(phase: f64) -> String {
+    if phase >= PI { "2".into() } else { significant(2.0 * PI / phase, 4) }
+}
+
+/// All values of a set: `{0} ∪ [1, ∞)`.
+pub fn set(set: &StableSet) -> String {
+    let end = |limit: &Limit| match limit.exact() {
+        Some(exact) if exact.to_string().len() <= LONGEST_EXACT => exact.to_string(),
+        _ => limit.proved_decimal(8).unwrap_or_else(|| significant(limit.lower(), 8)),
+    };
+    let zero = (set.limit().upper() == 0.0).then(|| "{0}".to_string());
+    let stretches = set.intervals.iter().map(|interval| {
+        let (from, to) = (&interval.from, &interval.to);
+        let open = if from.is_included() { '[' } else { '(' };
+        let begin = format!("{open}{}", if from.upper() == 0.0 { "0".into() } else { end(from) });
+        if to.is_unbounded() {
+            return format!("{begin}, ∞)");
+        }
+        if to.upper().is_infinite() {
+            return format!("{begin}, at least {}]", significant(to.lower(), 6));
+        }
+        format!("{begin}, {}{}", end(to), if to.is_included() { ']' } else { ')' })
+    });
+    let all: Vec<String> = zero.into_iter().chain(stretches).collect();
+    if all.is_empty() { "nothing decided".into() } else { all.join(" ∪ ") }
+}
+
+/// Whether a set is more than what its limit says: not one stretch from 0.
+pub fn has_gaps(set: &StableSet) -> bool {
+    set.intervals.len() > 1 || set.intervals.first().is_some_and(|first| first.from.upper() > 0.0)
+}
+
+/// A limit in one line.
+pub fn describe(limit: &Limit, symbol: &str, asked: Option<usize>) -> String {
+    if limit.value().is_infinite() {
+        return match limit.evidence() {
+            Evidence::Undecided => {
+                format!("undecided beyond {symbol} = {}", significant(limit.lower(), 6))
+            }
+            _ if limit.is_unbounded() => "none: stable without limit, proved".into(),
+            _ => format!("none up to {symbol} = {}", significant(limit.lower(), 6)),
+        };
+    }
+    let exact = limit
+        .exact()
+        .map(ToString::to_string)
+        .filter(|text| text.len() <= 24 && text.contains(['/', '(']))
+        .map_or_else(String::new, |text| format!(" = {text}"));
+    let wave = match limit.critical_phase() {
+        Some(_) => format!(", {}", wave(limit)),
+        None => limit
+            .binding_offset()
+            .map_or_else(String::new, |k| format!(", coefficient of offset {k}")),
+    };
+    let digits = digits(limit, asked, 12);
+    format!("{digits}{exact} ({}{wave})", limit.evidence().name())
+}

@@ -1,0 +1,249 @@
+//! `courant limits`.
+
+mod csv;
+mod remarks;
+mod tables;
+
+use super::numbers::Numbers;
+use super::output::{Format, print, print_json};
+use super::subject::{KernelDefaults, Kind, Sought, Subject, SubjectOptions};
+use super::{Failure, Outcome, numbers};
+use clap::Args;
+use courant::analysis::certificate::{
+    Certificate, CertificationError, certify_monotonicity, certify_stability,
+};
+use courant::analysis::exact::rational::{Rational, to_f64};
+use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+use courant::analysis::stability::{
+    DEFAULT_BITS, Limit, SearchPlan, StableSet, monotonicity_limit, sampled_stability_limit,
+};
+use courant::reports::certificate_file;
+use courant::reports::number::finite;
+use courant::reports::record::{
+    GrowthRecord, IntervalRecord, LimitRecord, LimitsRow, intervals, undecided,
+};
+use num_traits::Zero;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    subject: SubjectOptions,
+    #[command(flatten)]
+    search: SearchOptions,
+    /// Also the limits for |z| ≤ 1 + growth per step: 1e-9,1e-6,1e-3.
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative_list)]
+    growth: Option<Numbers>,
+    /// Look at N equally spaced phases instead of proving; for explicit one-step schemes.
+    #[arg(long, value_name = "N", value_parser = numbers::phases, conflicts_with = "method")]
+    samples: Option<usize>,
+    /// Significant digits of the limits, cut off and not rounded (at most 300); more than 15 need a closed form, an equation, or a
+    /// narrower enclosure, which takes longer.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::digits)]
+    digits: Option<usize>,
+    /// Also write a certificate of every limit to this file; `courant verify` checks it.
+    #[arg(long, value_name = "FILE.json", conflicts_with_all = ["samples", "method"])]
+    certificate: Option<PathBuf>,
+    /// Format of the output.
+    #[arg(long, value_enum, default_value = "table")]
+    format: Format,
+}
+
+/// How far and how hard to look.
+#[derive(Debug, Args)]
+pub struct SearchOptions {
+    /// Look for stable values up to this one (default: 100; schemes with kernels 10 + 4 l/Δξ; c Δt/h of particle methods 10).
+    #[arg(long, alias = "max-cfl", value_name = "VALUE", allow_hyphen_values = true, value_parser = numbers::courant_number)]
+    max: Option<Rational>,
+    /// Boxes that one decision may look at; when they are spent the answer is `undecided` (default: no bound of yours).
+    #[arg(long, value_name = "BOXES", value_parser = numbers::budget)]
+    budget: Option<usize>,
+}
+
+impl SearchOptions {
+    /// The plan for a subject.
+    pub fn plan(&self, subject: &Subject) -> SearchPlan {
+        let plan = SearchPlan::default().up_to(subject.range(self.max.as_ref()));
+        SearchPlan { budget: self.budget.unwrap_or(plan.budget), ..plan }
+    }
+}
+
+/// Everything about one subject.
+struct Answer {
+    subject: Subject,
+    sought: Sought,
+    stability: Limit,
+    /// Absent when only samples were looked at.
+    set: Option<StableSet>,
+    /// Absent where the question is not asked.
+    monotonicity: Option<Limit>,
+    monotone_set: Option<StableSet>,
+    growth: Vec<(Rational, Limit)>,
+    keeps_constants: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct Rows {
+    rows: Vec<LimitsRow>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let subjects = arguments.subject.subjects(&KernelDefaults::default())?;
+    let answers: Vec<Answer> = subjects
+        .into_par_iter()
+        .map(|subject| answer(arguments, subject))
+        .collect::<Result<_, _>>()?;
+    if let Some(file) = &arguments.certificate {
+        write_certificates(arguments, file, &answers)?;
+    }
+    match arguments.format {
+        Format::Json => {
+            let rows = answers.iter().map(|answer| row(arguments, answer)).collect();
+            print_json("limits", &Rows { rows })
+        }
+        Format::Csv => print(&csv::table(arguments, &answers).to_csv()),
+        format => print(&tables::text(arguments, &answers, format)),
+    }
+}
+
+/// The growth budgets asked for.
+fn budgets(arguments: &Arguments) -> &[Rational] {
+    arguments.growth.as_ref().map_or(&[], |numbers| &numbers.0)
+}
+
+/// Bits of an enclosure that settle the digits asked for.
+fn bits(arguments: &Arguments) -> u32 {
+    let digits = arguments.digits.unwrap_or(super::limit_text::DEFAULT_DIGITS) as f64;
+    ((digits * std::f64::consts::LOG2_10).ceil() as u32 + 4).max(DEFAULT_BITS)
+}
+
+fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
+    let sought = subject.sought(false)?;
+    let plan = arguments.search.plan(&subject).to_bits(bits(arguments));
+    let failed = |error| subject.failure(&error);
+    let (step, parameter) = (&sought.step, &sought.parameter);
+    let (stability, set) = match arguments.samples {
+        Some(samples) => (sampled(&subject, samples, &plan.max)?, None),
+        None => {
+            let set = step.stable_set(parameter, &plan).map_err(failed)?;
+            (set.limit(), Some(set))
+        }
+    };
+    let growth = budgets(arguments).iter().map(|budget| {
+        let plan = plan.clone().growing(budget.clone());
+        let found = step.stable_set(parameter, &plan).map_err(failed)?;
+        Ok((budget.clone(), found.limit()))
+    });
+    Ok(Answer {
+        stability,
+        set,
+        monotonicity: monotonicity(&subject, &plan.max),
+        monotone_set: None,
+        growth: growth.collect::<Result<_, Failure>>()?,
+        keeps_constants: step.keeps_constants().map_err(failed)?,
+        sought,
+        subject,
+    })
+}
+
+fn discretisation(subject: &Subject) -> Option<Discretisation> {
+    let scheme: AdvectionScheme = subject.file.name.parse().ok()?;
+    let (kernel, ratio) = subject.kernel.clone()?;
+    Discretisation::new(scheme, kernel, ratio).ok()
+}
+
+fn monotonicity(subject: &Subject, max: &Rational) -> Option<Limit> {
+    discretisation(subject).map(|one| monotonicity_limit(&one.symbol(), max))
+}
+
+fn sampled(subject: &Subject, samples: usize, max: &Rational) -> Result<Limit, Failure> {
+    let cells = (samples - 1) as f64;
+    let phases: Vec<f64> =
+        (0..samples).map(|i| i as f64 / cells * std::f64::consts::PI).collect();
+    let one = discretisation(subject).ok_or_else(|| {
+        Failure::Message(format!("--samples: {} is no explicit one-step scheme", subject.file.name))
+    })?;
+    Ok(sampled_stability_limit(&one.symbol(), &phases, max))
+}
+
+/// Certificates of every limit shown: stability, growth budgets, monotonicity.
+fn write_certificates(
+    arguments: &Arguments,
+    file: &Path,
+    answers: &[Answer],
+) -> Result<(), Failure> {
+    let certified: Result<Vec<Vec<Certificate>>, Failure> = answers
+        .par_iter()
+        .map(|answer| {
+            let name = &answer.subject.file.name;
+            let failed = |error: CertificationError| {
+                Failure::Message(format!("--certificate: {name}: {error}"))
+            };
+            let scheme = discretisation(&answer.subject).ok_or_else(|| {
+                Failure::Message(format!("--certificate: {name} is not certified yet"))
+            })?;
+            let range = arguments.search.plan(&answer.subject).max;
+            let symbol = scheme.symbol();
+            let zero = Rational::zero();
+            let budgets =
+                std::iter::once(&zero).chain(answer.growth.iter().map(|(growth, _)| growth));
+            let mut certificates = Vec::new();
+            for growth in budgets {
+                let found = certify_stability(&symbol, Some(&scheme), growth, &range);
+                certificates.extend(found.map_err(failed)?);
+            }
+            let found = certify_monotonicity(&symbol, Some(&scheme), &range);
+            certificates.push(found.map_err(failed)?);
+            Ok(certificates)
+        })
+        .collect();
+    let certificates: Vec<Certificate> = certified?.into_iter().flatten().collect();
+    certificate_file::write(file, &certificates)
+        .map_err(|error| Failure::Message(format!("--certificate: {error}")))
+}
+
+/// Why there is no monotone limit.
+pub fn no_monotonicity(subject: &Subject) -> &'static str {
+    match subject.kind {
+        Kind::Method => "monotonicity is a property of advection schemes",
+        _ => "whether all coefficients are positive is asked of explicit schemes between two time levels for one unknown",
+    }
+}
+
+fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
+    let symbol = answer.sought.parameter.as_str();
+    let record = |limit: &Limit| LimitRecord::new(limit, symbol, arguments.digits);
+    let limit = &answer.stability;
+    let units = answer.subject.other_units(limit.value());
+    LimitsRow {
+        subject: answer.subject.record(&answer.sought),
+        stability: record(limit),
+        stable_set: match &answer.set {
+            Some(set) => intervals(set, symbol),
+            None => vec![IntervalRecord::up_to(limit)],
+        },
+        undecided: answer.set.as_ref().map(undecided).unwrap_or_default(),
+        per_spacing: units.and_then(|(spacing, _)| finite(spacing)),
+        per_standard_deviation: units.and_then(|(_, deviation)| finite(deviation)),
+        binding: limit.binding().map(|binding| binding.name()),
+        limit_included: limit.is_included(),
+        monotonicity: answer.monotonicity.as_ref().map(record),
+        monotone_set: answer.monotone_set.as_ref().map(|set| intervals(set, symbol)),
+        monotonicity_reason: match answer.monotonicity {
+            Some(_) => None,
+            None => Some(no_monotonicity(&answer.subject)),
+        },
+        growth_limits: answer
+            .growth
+            .iter()
+            .map(|(growth, limit)| GrowthRecord {
+                growth: to_f64(growth),
+                value: finite(limit.value()),
+                limit: record(limit),
+            })
+            .collect(),
+        keeps_constants: answer.keeps_constants,
+    }
+}

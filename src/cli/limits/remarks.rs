@@ -1,0 +1,127 @@
+//! What the columns of limits cannot say.
+
+use super::Answer;
+use crate::cli::limit_text;
+use crate::cli::subject::{Kind, density_name};
+use courant::analysis::exact::rational::decimal_below;
+use courant::analysis::stability::Evidence;
+use courant::reports::number::significant;
+
+/// Names of rows in one remark at most.
+const MOST_NAMES: usize = 6;
+
+/// Remarks, each with the rows it is about; rows with the same remark share it.
+#[derive(Default)]
+pub(super) struct Remarks(Vec<(String, Vec<String>)>);
+
+impl Remarks {
+    fn add(&mut self, row: &str, text: String) {
+        match self.0.iter_mut().find(|(known, _)| *known == text) {
+            Some((_, rows)) if rows.last().is_none_or(|last| last != row) => rows.push(row.into()),
+            Some(_) => {}
+            None => self.0.push((text, vec![row.into()])),
+        }
+    }
+
+    /// One line each.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let line = |(text, rows): &(String, Vec<String>)| {
+            let named: Vec<&str> =
+                rows.iter().filter(|row| !row.is_empty()).take(MOST_NAMES).map(String::as_str).collect();
+            let more = rows.len().saturating_sub(MOST_NAMES);
+            match (named.is_empty(), more) {
+                (true, _) => text.clone(),
+                (false, 0) => format!("{}: {text}", named.join("; ")),
+                (false, more) => format!("{}; and {more} more: {text}", named.join("; ")),
+            }
+        };
+        self.0.iter().map(line).collect()
+    }
+}
+
+/// All of them; `name` says which row an answer is, nothing where there is only one.
+pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> Remarks {
+    let mut remarks = Remarks::default();
+    for answer in answers {
+        let row = name(answer);
+        let symbol = answer.subject.symbol(&answer.sought.parameter);
+        let symbol = symbol.as_str();
+        let limit = &answer.stability;
+        let mut add = |text: String| remarks.add(&row, text);
+        if let Some(text) = limit_text::exact_below(limit, &answer.sought.parameter) {
+            add(format!("the limit {text}"));
+        }
+        let monotone = answer.monotonicity.as_ref();
+        if let Some(text) =
+            monotone.and_then(|limit| limit_text::exact_below(limit, &answer.sought.parameter))
+        {
+            add(format!("the monotone limit {text}"));
+        }
+        if let (Some(binding), true) = (limit.binding(), limit.upper().is_finite()) {
+            if binding.whatever_the_step {
+                add("some wave is unstable whatever the step: its restoring force has the wrong sign".into());
+            } else if !limit.is_included() && limit.is_positive() {
+                let wave = limit.critical_phase().map_or_else(String::new, |phase| {
+                    if phase > 0.0 {
+                        format!(" (the wave of {} Δ)", limit_text::length(phase))
+                    } else {
+                        String::new()
+                    }
+                });
+                add(format!(
+                    "at the limit itself two multipliers meet on the unit circle{wave}, and the amplitude may grow like the number of steps; below it is stable"
+                ));
+            }
+        }
+        if limit.is_unbounded() {
+            let evidence = match limit.evidence() {
+                Evidence::Enclosed => "with enclosed coefficients",
+                _ => "proved",
+            };
+            add(format!("stable without limit, {evidence}"));
+        }
+        if !answer.keeps_constants {
+            add("a constant is not kept, the mean drifts".into());
+        }
+        for (growth, limit) in &answer.growth {
+            if limit.evidence() == Evidence::Undecided {
+                let budget = decimal_below(growth, 3);
+                let lower = significant(limit.lower(), 8);
+                add(format!("growth {budget} is proved up to {symbol} = {lower} and undecided above"));
+            }
+        }
+        let Some(set) = &answer.set else { continue };
+        if set.neutral {
+            add(format!("|z| = 1 for every wave at every {symbol}"));
+        }
+        if limit_text::has_gaps(set) {
+            add(format!("stable set {}", limit_text::set(set)));
+        }
+        if let Some(set) = answer.monotone_set.as_ref().filter(|set| limit_text::has_gaps(set)) {
+            add(format!("monotone set {}", limit_text::set(set)));
+        }
+        for (from, to) in &set.undecided {
+            let (from, to) = (significant(*from, 8), significant(*to, 8));
+            add(format!("undecided for {symbol} in [{from}, {to}]"));
+        }
+    }
+    if let Some(answer) = answers.iter().find(|answer| answer.subject.kind == Kind::Method) {
+        let subject = &answer.subject;
+        let one = |text: Option<String>, all: bool| text.filter(|_| all);
+        let all = |same: &dyn Fn(&Answer) -> bool| answers.iter().all(same);
+        let eos = one(
+            subject.eos.as_ref().map(|eos| format!(", {}", eos.name)),
+            all(&|other| other.subject.eos == subject.eos),
+        );
+        let density = one(
+            subject.density.map(|density| format!(", density by {}", density_name(density))),
+            all(&|other| other.subject.density == subject.density),
+        );
+        remarks.add("", format!(
+            "linear waves along a line of equal particles (one dimension){}{}",
+            eos.unwrap_or_default(),
+            density.unwrap_or_default()
+        ));
+    }
+    remarks
+}

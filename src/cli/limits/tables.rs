@@ -1,0 +1,235 @@
+//! Limits for people: a row each, or spaces against integrators.
+
+use super::remarks::remarks;
+use super::{Answer, Arguments, budgets};
+use crate::cli::limit_text::{DEFAULT_DIGITS, digits, exact, wave};
+use crate::cli::output::Format;
+use crate::cli::subject::{Kind, Label, varying};
+use courant::analysis::exact::rational::{Rational, decimal_below, to_f64};
+use courant::analysis::stability::Limit;
+use courant::reports::number::significant;
+use courant::reports::table::{Align, Cell, Table};
+use num_traits::Signed;
+
+/// What a terminal has room for.
+const WIDTH: usize = 100;
+
+/// Digits of a cell where two lists meet, and of growth budgets.
+const FEW_DIGITS: usize = 6;
+
+/// The table or tables in the format asked for, with the remarks below.
+pub(super) fn text(arguments: &Arguments, answers: &[Answer], format: Format) -> String {
+    let labels: Vec<Vec<Label>> = answers.iter().map(|answer| answer.subject.labels()).collect();
+    let varying = varying(&labels);
+    let tables = two_way(arguments, answers, &labels, &varying, format)
+        .unwrap_or_else(|| vec![fitting(arguments, answers, &labels, &varying, format)]);
+    let shown = |table: &Table| match format {
+        Format::Markdown => table.to_markdown(),
+        Format::Latex => table.to_latex(),
+        _ => table.to_text(),
+    };
+    let mut text = tables.iter().map(shown).collect::<Vec<_>>().join("\n");
+    if format == Format::Table {
+        let name = |answer: &Answer| {
+            let labels = answer.subject.labels();
+            let told = labels.iter().filter(|label| varying.contains(&label.heading));
+            told.map(|label| label.caption.clone()).collect::<Vec<_>>().join(", ")
+        };
+        let lines = remarks(answers, name).lines();
+        if !lines.is_empty() {
+            text.push_str(&format!("\n{}\n", lines.join("\n")));
+        }
+    }
+    text
+}
+
+/// What all rows share.
+fn caption(answers: &[Answer], labels: &[Vec<Label>], varying: &[String]) -> String {
+    let first = &answers[0];
+    let same = answers.iter().all(|answer| answer.sought.parameter == first.sought.parameter);
+    let symbol = if same {
+        first.subject.symbol(&first.sought.parameter)
+    } else {
+        "the parameter sought".into()
+    };
+    let shared = labels[0].iter().filter(|label| !varying.contains(&label.heading));
+    let shared: Vec<String> = shared.map(|label| label.caption.clone()).collect();
+    let evidence = first.stability.evidence().name();
+    let all = match answers.iter().all(|answer| answer.stability.evidence().name() == evidence) {
+        true => format!("; all {evidence}"),
+        false => String::new(),
+    };
+    let all = if answers.len() == 1 { format!("; {evidence}") } else { all };
+    [vec![format!("Limits of {symbol}")], shared].concat().join(", ") + &all
+}
+
+/// How much is left out so that a table fits.
+const LEVELS: usize = 5;
+
+/// The fullest table that fits.
+fn fitting(
+    arguments: &Arguments,
+    answers: &[Answer],
+    labels: &[Vec<Label>],
+    varying: &[String],
+    format: Format,
+) -> Table {
+    let mut level = 0;
+    loop {
+        let table = rows(arguments, answers, labels, varying, level);
+        if format != Format::Table || level == LEVELS || table.width() <= WIDTH {
+            return table;
+        }
+        level += 1;
+    }
+}
+
+/// A row an answer.
+fn rows(
+    arguments: &Arguments,
+    answers: &[Answer],
+    labels: &[Vec<Label>],
+    varying: &[String],
+    level: usize,
+) -> Table {
+    let mut headings: Vec<String> = varying.to_vec();
+    if headings.is_empty() {
+        headings.push(labels[0][0].heading.clone());
+    }
+    let evidence = answers[0].stability.evidence().name();
+    let mixed = answers.iter().any(|answer| answer.stability.evidence().name() != evidence);
+    let monotone = answers.iter().any(|answer| answer.monotonicity.is_some());
+    let method = answers.iter().all(|answer| answer.subject.kind == Kind::Method);
+    // A closed form has a column where there is one, and goes below when there is no room.
+    let has_exact = |limit: &Limit| limit.exact().is_some() || limit.equation().is_some();
+    let exact_column = level < 4 && answers.iter().any(|answer| has_exact(&answer.stability));
+    let exact_monotone =
+        level < 1 && answers.iter().any(|a| a.monotonicity.as_ref().is_some_and(has_exact));
+    let mut columns: Vec<(String, Align)> = headings
+        .iter()
+        .map(|heading| {
+            let text = matches!(heading.as_str(), "kernel" | "scheme" | "equation" | "space" | "method" | "integrator" | "eos" | "density");
+            (heading.clone(), if text { Align::Left } else { Align::Right })
+        })
+        .collect();
+    let mut add = |name: &str, align: Align, when: bool| {
+        if when {
+            columns.push((name.into(), align));
+        }
+    };
+    add("stable up to", Align::Right, true);
+    add("exactly", Align::Right, exact_column);
+    add("c Δt/Δ", Align::Right, method);
+    add("c Δt/σ", Align::Right, method && level < 3);
+    add("evidence", Align::Left, mixed);
+    add("binding wave", Align::Left, true);
+    add("how it ends", Align::Left, method && level < 2);
+    add("monotone up to", Align::Right, monotone);
+    add("exactly", Align::Right, monotone && exact_monotone);
+    for growth in budgets(arguments) {
+        columns.push((budget_name(growth), Align::Right));
+    }
+    let columns: Vec<(&str, Align)> =
+        columns.iter().map(|(name, align)| (name.as_str(), *align)).collect();
+    let mut table = Table::new(caption(answers, labels, varying), &columns);
+    for (answer, labels) in answers.iter().zip(labels) {
+        let limit = &answer.stability;
+        let mut cells: Vec<Cell> = Vec::new();
+        for heading in &headings {
+            let label = labels.iter().find(|label| label.heading == *heading);
+            cells.push(label.map_or("–", |label| label.cell.as_str()).into());
+        }
+        let mut add = |cell: Cell, when: bool| {
+            if when {
+                cells.push(cell);
+            }
+        };
+        let units = answer.subject.other_units(limit.value()).unwrap_or((f64::NAN, f64::NAN));
+        add(digits(limit, arguments.digits, DEFAULT_DIGITS).into(), true);
+        add(exact(limit), exact_column);
+        add(significant(units.0, 6).into(), method);
+        add(significant(units.1, 6).into(), method && level < 3);
+        add(limit.evidence().name().into(), mixed);
+        add(wave(limit).into(), true);
+        let end = limit.binding().map_or_else(|| "–".into(), |binding| binding.name());
+        add(end.into(), method && level < 2);
+        let monotonicity = answer.monotonicity.as_ref();
+        let text = monotonicity.map_or("–".into(), |m| digits(m, arguments.digits, DEFAULT_DIGITS));
+        add(text.into(), monotone);
+        add(monotonicity.map_or("–".into(), exact), monotone && exact_monotone);
+        let few = if level > 0 { FEW_DIGITS } else { DEFAULT_DIGITS };
+        cells.extend(
+            answer.growth.iter().map(|(_, limit)| digits(limit, arguments.digits, few).into()),
+        );
+        table.push(cells);
+    }
+    table
+}
+
+/// A budget may be smaller than any f64.
+fn budget_name(growth: &Rational) -> String {
+    let text = match to_f64(growth) {
+        0.0 if growth.is_positive() => decimal_below(growth, 3),
+        rounded => significant(rounded, 3),
+    };
+    format!("growth {text}")
+}
+
+/// Where exactly a list of schemes and one of integrators were given: schemes down, integrators across.
+fn two_way(
+    arguments: &Arguments,
+    answers: &[Answer],
+    labels: &[Vec<Label>],
+    varying: &[String],
+    format: Format,
+) -> Option<Vec<Table>> {
+    let [down, across] = varying else { return None };
+    if across != "integrator" || down == "kernel" || !budgets(arguments).is_empty() {
+        return None;
+    }
+    let cell = |labels: &[Label], heading: &str| {
+        let found = labels.iter().find(|label| label.heading == heading);
+        found.map_or_else(|| "–".to_string(), |label| label.cell.clone())
+    };
+    let mut names: [Vec<String>; 2] = [Vec::new(), Vec::new()];
+    for labels in labels {
+        for (list, heading) in names.iter_mut().zip([down, across]) {
+            let name = cell(labels, heading);
+            if !list.contains(&name) {
+                list.push(name);
+            }
+        }
+    }
+    let [rows, columns] = &names;
+    let caption = caption(answers, labels, varying);
+    let table = |columns: &[String], caption: String| {
+        let heads: Vec<(&str, Align)> = std::iter::once((down.as_str(), Align::Left))
+            .chain(columns.iter().map(|name| (name.as_str(), Align::Right)))
+            .collect();
+        let mut table = Table::new(caption, &heads);
+        for row in rows {
+            let cells = columns.iter().map(|column| {
+                let is_it = |labels: &Vec<Label>| {
+                    cell(labels, down) == *row && cell(labels, across) == *column
+                };
+                let found = labels.iter().position(is_it).map(|index| &answers[index].stability);
+                found.map_or("–".into(), |limit| digits(limit, arguments.digits, FEW_DIGITS))
+            });
+            table.push([row.clone()].into_iter().chain(cells));
+        }
+        table
+    };
+    // As many columns beside one another as fit.
+    let mut tables = Vec::new();
+    let mut rest = columns.as_slice();
+    while !rest.is_empty() {
+        let fits = |count: &usize| {
+            format != Format::Table || table(&rest[..*count], String::new()).width() <= WIDTH
+        };
+        let count = (1..=rest.len()).rev().find(fits).unwrap_or(1);
+        let caption = if tables.is_empty() { caption.clone() } else { "…".into() };
+        tables.push(table(&rest[..count], caption));
+        rest = &rest[count..];
+    }
+    Some(tables)
+}

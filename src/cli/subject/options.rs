@@ -1,0 +1,362 @@
+//! The options that name what is judged, and every combination of their lists.
+
+use super::{EquationOfState, Kind, PRESSURE, Subject};
+use crate::cli::numbers::{self, Names, Numbers};
+use crate::cli::{Failure, names};
+use clap::Args;
+use courant::analysis::exact::rational::{Rational, integer, to_text};
+use courant::analysis::kernel::{Density, Kernel};
+use courant::analysis::scheme::Integrator;
+use courant::analysis::scheme::catalogue::{self, Known, SchemeFile};
+use courant::analysis::scheme::language::parse;
+use num_traits::Signed;
+use std::sync::Arc;
+
+/// Combinations of one answer at most.
+const MAX_SUBJECTS: usize = 1_000_000;
+
+/// `--equation`, `--scheme`, `--space` with `--integrator`, or `--method` with `--integrator`; lists everywhere.
+#[derive(Debug, Args)]
+#[group(skip)]
+#[command(group(clap::ArgGroup::new("subject").args(["equation", "scheme", "space", "method"])))]
+pub struct SubjectOptions {
+    /// Equations of a scheme, such as 'u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])', separated by `;`.
+    #[arg(long, value_name = "TEXT", help_heading = "Subject")]
+    equation: Vec<String>,
+    /// Schemes: upwind, leapfrog, crank-nicolson, euler-sph, lax-wendroff-sph, godunov-sph, … (courant list schemes), or
+    /// FILE.toml.
+    #[arg(long, value_name = "NAMES|FILE.toml", help_heading = "Subject")]
+    scheme: Option<String>,
+    /// Spaces for the method of lines: upwind-3, central-4, … (courant list spaces), a FILE.toml, or 'u[j]' = …'; needs
+    /// --integrator.
+    #[arg(long, value_name = "NAMES|TEXT", help_heading = "Subject")]
+    space: Option<String>,
+    /// Particle methods: sph, sph-av, gph; limits are on c Δt/h. Needs --integrator.
+    #[arg(long, value_name = "NAMES", help_heading = "Subject")]
+    method: Option<String>,
+    /// Time integrators: rk4, leapfrog, … (courant list integrators), or FILE.toml.
+    #[arg(long, value_name = "NAMES|FILE.toml", help_heading = "Subject")]
+    integrator: Option<String>,
+    /// Kernels of schemes with kernel sums: see `courant list kernels` (default: cubic-spline).
+    #[arg(long, value_parser = |text: &str| numbers::names(text, names::kernel), help_heading = "Subject")]
+    kernel: Option<Names<Kernel>>,
+    /// Smoothing ratios l/Δξ = h/Δ: 1,2,3 or 1:10:0.5 or 3/2, read exactly.
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list, help_heading = "Subject")]
+    ratio: Option<Numbers>,
+    /// Coefficients of viscosity, for schemes with a parameter alpha (sph-av: 1).
+    #[arg(long, allow_hyphen_values = true, value_parser = alphas, help_heading = "Subject")]
+    alpha: Option<Numbers>,
+    /// Equations of state of a particle method: isothermal, ideal:GAMMA or tait:P0, with P0 in units of ρ c² (default:
+    /// isothermal).
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| numbers::names(text, equation_of_state), help_heading = "Subject")]
+    eos: Option<Names<EquationOfState>>,
+    /// Densities of a particle method: summation or continuity, which is the mass per spacing (default: summation).
+    #[arg(long, value_parser = |text: &str| numbers::names(text, density), help_heading = "Subject")]
+    density: Option<Names<Density>>,
+    /// Space dimensions of a particle method: 1.
+    #[arg(long, value_parser = one_dimension, help_heading = "Subject")]
+    dimension: Option<usize>,
+    /// Relation of gph: resolved.
+    #[arg(long, value_parser = resolved, hide = true)]
+    form: Option<String>,
+    /// Values of a parameter, for each parameter once: r=1/4 or r=0:1:0.1.
+    #[arg(long, value_name = "NAME=VALUES", allow_hyphen_values = true, value_parser = setting, help_heading = "Subject")]
+    set: Vec<(String, Numbers)>,
+    /// The parameter whose limit is sought (default: the file's, C, or the only one without a value).
+    #[arg(long, value_name = "NAME", help_heading = "Subject")]
+    parameter: Option<String>,
+}
+
+/// The kernels and ratios of a command that need not be told.
+#[derive(Debug, Clone, Default)]
+pub struct KernelDefaults {
+    /// The kernels.
+    pub kernels: Vec<Kernel>,
+    /// The ratios.
+    pub ratios: Vec<Rational>,
+}
+
+fn refuse(message: impl Into<String>) -> Failure {
+    Failure::Message(message.into())
+}
+
+fn alphas(text: &str) -> Result<Numbers, String> {
+    numbers::list(text)?
+        .0
+        .into_iter()
+        .map(|value| numbers::within(value, 0, numbers::MAX_ALPHA))
+        .collect::<Result<_, _>>()
+        .map(Numbers)
+}
+
+fn setting(text: &str) -> Result<(String, Numbers), String> {
+    let (name, values) =
+        text.split_once('=').ok_or("write NAME=VALUES, for example r=1/4 or r=0:1:0.1")?;
+    let name = name.trim();
+    let first = name.starts_with(|c: char| c.is_ascii_alphabetic());
+    if !first || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
+        return Err(format!("`{name}` is no name of a parameter; write NAME=VALUES"));
+    }
+    Ok((name.into(), numbers::list(values)?))
+}
+
+/// What linear theory sees of an equation of state.
+fn equation_of_state(text: &str) -> Result<EquationOfState, String> {
+    let accepted = "accepted: isothermal, ideal:GAMMA such as ideal:7/5, tait:P0 with P0 in units of ρ c²";
+    let (kind, number) = match text.split_once(':') {
+        Some((kind, number)) => {
+            let read = numbers::number(number).map_err(|error| format!("{error}; {accepted}"))?;
+            (kind, Some(read))
+        }
+        None => (text, None),
+    };
+    let pressure = match (kind.to_ascii_lowercase().as_str(), number) {
+        ("isothermal", None) => integer(1),
+        ("ideal", Some(gamma)) if gamma.is_positive() => gamma.recip(),
+        ("ideal", Some(_)) => return Err(format!("GAMMA must be above 0; {accepted}")),
+        ("tait", Some(pressure)) => pressure,
+        _ => return Err(accepted.into()),
+    };
+    Ok(EquationOfState { name: text.to_ascii_lowercase(), pressure })
+}
+
+fn density(text: &str) -> Result<Density, String> {
+    match text.to_ascii_lowercase().as_str() {
+        "summation" => Ok(Density::Summation),
+        "continuity" | "mass" | "mass-per-spacing" => Ok(Density::MassPerSpacing),
+        _ => Err("accepted: summation, continuity".into()),
+    }
+}
+
+fn one_dimension(text: &str) -> Result<usize, String> {
+    if text == "1" { Ok(1) } else { Err("only waves along a line are decided; accepted: 1".into()) }
+}
+
+fn resolved(text: &str) -> Result<String, String> {
+    match text {
+        "resolved" => Ok(text.into()),
+        "published" => Err("the published relation is no scheme that runs; accepted: resolved".into()),
+        _ => Err("accepted: resolved".into()),
+    }
+}
+
+impl SubjectOptions {
+    /// Whether any of them was given.
+    pub fn is_named(&self) -> bool {
+        !self.equation.is_empty()
+            || self.scheme.is_some()
+            || self.space.is_some()
+            || self.method.is_some()
+    }
+
+    /// Every combination of the lists.
+    pub fn subjects(&self, defaults: &KernelDefaults) -> Result<Vec<Subject>, Failure> {
+        let (kind, files) = self.files()?;
+        let method = kind == Kind::Method;
+        self.refuse_foreign(kind, &files)?;
+        let integrators = self.integrators(method)?;
+        let nothing = || vec![None];
+        let listed = |list: Option<Vec<_>>| list.map_or_else(nothing, |l| l.into_iter().map(Some).collect());
+        let states = match (&self.eos, method) {
+            (_, false) => vec![None],
+            (Some(names), true) => names.0.iter().cloned().map(Some).collect(),
+            (None, true) => vec![equation_of_state("isothermal").ok()],
+        };
+        let densities = match (&self.density, method) {
+            (_, false) => vec![None],
+            (Some(names), true) => names.0.iter().copied().map(Some).collect(),
+            (None, true) => vec![Some(Density::Summation)],
+        };
+        let settings = self.settings()?;
+        let kernels: Vec<Kernel> = match &self.kernel {
+            Some(names) => names.0.clone(),
+            None if defaults.kernels.is_empty() => vec![Kernel::CubicSpline],
+            None => defaults.kernels.clone(),
+        };
+        let ratios = self.ratio.as_ref().map_or(&defaults.ratios, |numbers| &numbers.0);
+        let integrators = listed(integrators);
+        let mut subjects = Vec::new();
+        for file in &files {
+            let lattices: Vec<Option<(Kernel, Rational)>> = if file.needs_kernel() {
+                if ratios.is_empty() {
+                    return Err(refuse(format!(
+                        "--ratio is required: {} has a kernel; write --ratio 2 or --ratio 1:10:0.5",
+                        file.name
+                    )));
+                }
+                let pairs = kernels.iter().flat_map(|kernel| ratios.iter().map(move |r| (*kernel, r.clone())));
+                pairs.map(Some).collect()
+            } else {
+                vec![None]
+            };
+            let completed = if file.is_of_lines() {
+                if integrators == [None] {
+                    return Err(refuse(format!(
+                        "--integrator is required: {} gives rates of change only; see courant list integrators",
+                        file.name
+                    )));
+                }
+                integrators.clone()
+            } else {
+                vec![None]
+            };
+            let count = completed.len() * states.len() * densities.len() * settings.len() * lattices.len();
+            if subjects.len() + count > MAX_SUBJECTS {
+                return Err(refuse(format!(
+                    "the lists have more than {MAX_SUBJECTS} combinations; make them shorter"
+                )));
+            }
+            for integrator in &completed {
+                for eos in &states {
+                    for density in &densities {
+                        for values in &settings {
+                            for kernel in &lattices {
+                                let pressure =
+                                    eos.iter().map(|eos| (PRESSURE.into(), eos.pressure.clone()));
+                                subjects.push(Subject {
+                                    kind,
+                                    file: file.clone(),
+                                    integrator: integrator.clone(),
+                                    eos: eos.clone(),
+                                    density: *density,
+                                    kernel: kernel.clone(),
+                                    values: values.iter().cloned().chain(pressure).collect(),
+                                    parameter: self.parameter.clone(),
+                                });
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        Ok(subjects)
+    }
+
+    /// What `--equation`, `--scheme`, `--space` or `--method` name.
+    fn files(&self) -> Result<(Kind, Vec<Arc<SchemeFile>>), Failure> {
+        let of_catalogue = |kind: Kind, list: &str| {
+            let all = match kind {
+                Kind::Scheme => catalogue::schemes(),
+                Kind::Space => catalogue::spaces(),
+                _ => catalogue::methods(),
+            };
+            numbers::names(list, |name| scheme_file(kind, name, all))
+                .map(|files| (kind, files.0))
+                .map_err(|problem| refuse(format!("{} {list}: {problem}", kind.option())))
+        };
+        match (&self.scheme, &self.space, &self.method) {
+            (Some(list), ..) => of_catalogue(Kind::Scheme, list),
+            (_, Some(text), _) if text.contains('[') => Ok((Kind::Space, vec![typed(Kind::Space, text)?])),
+            (_, Some(list), _) => of_catalogue(Kind::Space, list),
+            (.., Some(list)) => of_catalogue(Kind::Method, list),
+            _ if self.equation.is_empty() => Err(refuse(
+                "one of --equation, --scheme, --space and --method is required; see --help",
+            )),
+            _ => {
+                let typed = self.equation.iter().map(|text| typed(Kind::Equation, text));
+                Ok((Kind::Equation, typed.collect::<Result<_, _>>()?))
+            }
+        }
+    }
+
+    /// Complains about options that none of the files has a use for.
+    fn refuse_foreign(&self, kind: Kind, files: &[Arc<SchemeFile>]) -> Result<(), Failure> {
+        let method = kind == Kind::Method;
+        let kernel = files.iter().any(|file| file.needs_kernel());
+        let lines = files.iter().any(|file| file.is_of_lines());
+        let names = files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>().join(", ");
+        let foreign = [
+            ("--eos", self.eos.is_some() && !method, "only a particle method (--method) has an equation of state"),
+            ("--density", self.density.is_some() && !method, "only a particle method (--method) has a density"),
+            ("--dimension", self.dimension.is_some() && !method, "equations say by themselves how many there are"),
+            ("--form", self.form.is_some() && names != "gph", "only gph takes it"),
+            ("--kernel", self.kernel.is_some() && !kernel, "there are no kernel sums in these equations"),
+            ("--ratio", self.ratio.is_some() && !kernel, "there are no kernel sums in these equations"),
+            ("--integrator", self.integrator.is_some() && !lines, "these equations step by themselves"),
+        ];
+        match foreign.iter().find(|(_, given, _)| *given) {
+            Some((option, _, why)) => Err(refuse(format!("{option}: {names}: {why}"))),
+            None => Ok(()),
+        }
+    }
+
+    fn integrators(&self, particles: bool) -> Result<Option<Vec<Arc<Integrator>>>, Failure> {
+        let Some(list) = &self.integrator else { return Ok(None) };
+        numbers::names(list, |name| names::integrator(name, particles))
+            .map(|found| Some(found.0))
+            .map_err(|problem| refuse(format!("--integrator {list}: {problem}")))
+    }
+
+    /// Every combination of the values that were set.
+    fn settings(&self) -> Result<Vec<Vec<(String, Rational)>>, Failure> {
+        let alpha = self.alpha.iter().map(|values| ("alpha".to_string(), values.clone()));
+        let mut combinations: Vec<Vec<(String, Rational)>> = vec![Vec::new()];
+        let mut known: Vec<String> = Vec::new();
+        for (name, values) in alpha.chain(self.set.iter().cloned()) {
+            if known.contains(&name) {
+                return Err(refuse(format!("--set {name}: it is given twice; write a list")));
+            }
+            if name == PRESSURE && self.method.is_some() {
+                return Err(refuse(format!("--set {name}: the equation of state sets it; use --eos")));
+            }
+            if combinations.len().saturating_mul(values.0.len()) > MAX_SUBJECTS {
+                return Err(refuse(format!(
+                    "--set {name}: the lists have more than {MAX_SUBJECTS} combinations; make them shorter"
+                )));
+            }
+            let with = |value: &Rational| {
+                let (name, value) = (name.clone(), value.clone());
+                move |mut set: Vec<(String, Rational)>| {
+                    set.push((name.clone(), value.clone()));
+                    set
+                }
+            };
+            combinations = combinations
+                .into_iter()
+                .flat_map(|set| values.0.iter().map(move |value| with(value)(set.clone())).collect::<Vec<_>>())
+                .collect();
+            known.push(name);
+        }
+        Ok(combinations)
+    }
+
+    /// The values of one parameter, if it was set.
+    pub fn values_of(&self, name: &str) -> Option<&Numbers> {
+        self.set.iter().find(|(known, _)| known == name).map(|(_, values)| values)
+    }
+}
+
+/// A file of one's own, or one of the catalogue.
+fn scheme_file(kind: Kind, name: &str, all: &[SchemeFile]) -> Result<Arc<SchemeFile>, String> {
+    if name.ends_with(".toml") {
+        let text = std::fs::read_to_string(name).map_err(|error| names::unreadable(&error))?;
+        return SchemeFile::from_toml(&text).map(Arc::new).map_err(|error| error.to_string());
+    }
+    let found = all.iter().find(|file| file.name == name.to_ascii_lowercase());
+    found.map(|file| Arc::new(file.clone())).ok_or_else(|| {
+        let (what, topic) = match kind {
+            Kind::Space => ("space", "spaces"),
+            Kind::Method => ("method", "methods"),
+            _ => ("scheme", "schemes"),
+        };
+        let entries = all.iter().map(|file| (file.name.as_str(), file.name.as_str()));
+        names::unknown_among(what, name, entries, topic)
+    })
+}
+
+/// Equations from the command line.
+fn typed(kind: Kind, text: &str) -> Result<Arc<SchemeFile>, Failure> {
+    let equations = parse(text).map_err(|error| refuse(format!("{}: {error}", kind.option())))?;
+    let name = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    Ok(Arc::new(SchemeFile {
+        title: name.clone(),
+        name,
+        equations,
+        parameter: None,
+        exact: None,
+        source: String::new(),
+        notes: String::new(),
+        parameters: Default::default(),
+        known: Known::default(),
+    }))
+}
