@@ -56,7 +56,7 @@ pub struct LimitRecord {
     pub lower: f64,
     /// The property is lost above here.
     pub upper: Option<f64>,
-    /// A fraction or square root, as text.
+    /// A fraction or a root of one, as text.
     pub exact: Option<String>,
     /// The first digits, cut off, when more than a number of JSON holds were asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -100,7 +100,7 @@ impl LimitRecord {
             value: finite(limit.value()),
             lower: limit.lower() + 0.0,
             upper: finite(limit.upper()),
-            exact: limit.exact().map(ToString::to_string),
+            exact: limit.closed_form(),
             decimal: digits.and_then(|digits| limit.decimal(digits)),
             equation: limit.equation().map(|root| EquationRecord {
                 text: root.equation(symbol),
@@ -128,7 +128,6 @@ impl LimitRecord {
                         format!("undecided beyond {symbol} = {lower}")
                     }
                     Evidence::Undecided => "undecided".into(),
-                    _ if limit.is_unbounded() => format!("no limit: it holds for every {symbol}"),
                     _ => format!("no limit up to {symbol} = {lower}"),
                 }
             }),
@@ -195,6 +194,17 @@ pub struct GrowthRecord {
     pub limit: LimitRecord,
 }
 
+/// A value of the parameter at which an implicit step cannot be solved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SingularRecord {
+    /// The value, rounded.
+    pub value: f64,
+    /// The value, where it is a fraction.
+    pub exact: Option<String>,
+    /// The phase of the wave, in radians.
+    pub phase: f64,
+}
+
 /// One row of `limits`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LimitsRow {
@@ -223,6 +233,8 @@ pub struct LimitsRow {
     /// Why there is no monotone limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub monotonicity_reason: Option<&'static str>,
+    /// Where an implicit step cannot be solved.
+    pub singular: Vec<SingularRecord>,
     /// Limits for the growth budgets asked for.
     pub growth_limits: Vec<GrowthRecord>,
     /// Whether what is the same everywhere and does not move stays so.

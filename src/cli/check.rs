@@ -2,9 +2,9 @@
 
 mod waves;
 
+use super::judged::{Subject, SubjectOptions};
 use super::limit_text::wave as binding_wave;
 use super::output::{Format, print_record};
-use super::judged::{Subject, SubjectOptions};
 use super::{Failure, Outcome, names, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};

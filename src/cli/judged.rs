@@ -109,6 +109,8 @@ pub fn default_range() -> Rational {
 }
 
 /// A limit as JSON, in the words of time steps.
-pub fn record(limit: &courant::analysis::stability::Limit) -> courant::reports::record::LimitRecord {
+pub fn record(
+    limit: &courant::analysis::stability::Limit,
+) -> courant::reports::record::LimitRecord {
     courant::reports::record::LimitRecord::new(limit, "x", None)
 }

@@ -1,5 +1,6 @@
 //! Limits as people read them.
 
+use courant::analysis::exact::rational::{decimal_below, from_f64};
 use courant::analysis::stability::{Evidence, Limit, StableSet};
 use courant::reports::number::significant;
 use courant::reports::record::exact_latex;
@@ -17,8 +18,11 @@ const LONGEST_EQUATION: usize = 160;
 
 /// A limit in digits: none is rounded up, so that what is printed may be used.
 pub fn digits(limit: &Limit, asked: Option<usize>, otherwise: usize) -> String {
-    if limit.evidence() == Evidence::Undecided && limit.lower() == 0.0 {
-        return "undecided".into();
+    if limit.evidence() == Evidence::Undecided {
+        return match limit.lower() {
+            0.0 => "undecided".into(),
+            lower => format!("≥ {}", below(lower, otherwise)),
+        };
     }
     let shown = match asked {
         Some(digits) => limit.decimal(digits),
@@ -31,35 +35,41 @@ pub fn digits(limit: &Limit, asked: Option<usize>, otherwise: usize) -> String {
     }
 }
 
+/// The first digits of a number, cut off.
+fn below(value: f64, digits: usize) -> String {
+    from_f64(value).map_or_else(|| value.to_string(), |exact| decimal_below(&exact, digits))
+}
+
 /// The closed form where it is short enough to be read.
 pub fn exact(limit: &Limit) -> Cell {
-    if let Some(root) = limit.equation() {
-        return format!("root, degree {}", root.degree()).into();
-    }
-    let text = limit.exact().map_or_else(String::new, ToString::to_string);
-    match exact_latex(limit) {
-        _ if text.chars().count() > LONGEST_EXACT => "(below)".into(),
-        Some(latex) => Cell::with_latex(text, latex),
-        None => text.into(),
+    match (limit.closed_form(), limit.equation(), exact_latex(limit)) {
+        (Some(text), ..) if text.chars().count() > LONGEST_EXACT => "(below)".into(),
+        (Some(text), _, Some(latex)) => Cell::with_latex(text, latex),
+        (Some(text), ..) => text.into(),
+        (None, Some(root), _) => format!("root, degree {}", root.degree()).into(),
+        _ => "".into(),
     }
 }
 
 /// The closed form that [`exact`] has no room for, or the equation the limit solves: what stands below the table.
 pub fn exact_below(limit: &Limit, symbol: &str) -> Option<String> {
-    if let Some(root) = limit.equation() {
-        let text = root.equation(symbol);
-        return Some(if text.len() <= LONGEST_EQUATION {
-            format!("{symbol} solves {text}")
-        } else {
-            format!("{symbol} is a root of a polynomial of degree {}: see --format json", root.degree())
-        });
+    match (limit.closed_form(), limit.equation()) {
+        (Some(text), _) if text.chars().count() <= LONGEST_EXACT => None,
+        (Some(text), _) if text.len() <= LONGEST_EQUATION => Some(format!("{symbol} = {text}")),
+        (Some(text), _) => {
+            Some(format!("{symbol} is a fraction of {} digits: see --format json", text.len() - 1))
+        }
+        (None, Some(root)) => {
+            let text = root.equation(symbol);
+            Some(if text.len() <= LONGEST_EQUATION {
+                format!("{symbol} solves {text}")
+            } else {
+                let degree = root.degree();
+                format!("{symbol} is a root of a polynomial of degree {degree}: see --format json")
+            })
+        }
+        (None, None) => None,
     }
-    let text = limit.exact()?.to_string();
-    let long = text.chars().count() > LONGEST_EXACT;
-    long.then(|| match text.len() <= LONGEST_EQUATION {
-        true => format!("{symbol} = {text}"),
-        false => format!("{symbol} is a fraction of {} digits: see --format json", text.len() - 1),
-    })
 }
 
 /// The wave that binds, by its length in spacings.
@@ -80,8 +90,8 @@ pub fn length(phase: f64) -> String {
 
 /// All values of a set: `{0} ∪ [1, ∞)`.
 pub fn set(set: &StableSet) -> String {
-    let end = |limit: &Limit| match limit.exact() {
-        Some(exact) if exact.to_string().len() <= LONGEST_EXACT => exact.to_string(),
+    let end = |limit: &Limit| match limit.closed_form() {
+        Some(text) if text.len() <= LONGEST_EXACT => text,
         _ => limit.proved_decimal(8).unwrap_or_else(|| significant(limit.lower(), 8)),
     };
     let zero = (set.limit().upper() == 0.0).then(|| "{0}".to_string());
@@ -118,8 +128,7 @@ pub fn describe(limit: &Limit, symbol: &str, asked: Option<usize>) -> String {
         };
     }
     let exact = limit
-        .exact()
-        .map(ToString::to_string)
+        .closed_form()
         .filter(|text| text.len() <= 24 && text.contains(['/', '(']))
         .map_or_else(String::new, |text| format!(" = {text}"));
     let wave = match limit.critical_phase() {

@@ -1,13 +1,13 @@
 //! `courant list`.
 
 use super::output::{Format, print, print_json, table_text};
-use super::waves::MethodName;
 use super::{Failure, Outcome, run};
 use clap::{Args, ValueEnum};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::AdvectionScheme;
-use courant::analysis::scheme::integrator::Integrator;
+use courant::analysis::scheme::Integrator;
+use courant::analysis::scheme::catalogue::{self, SchemeFile};
 use courant::reports::table::{Align, Table};
+use courant::reports::{cha_whitworth2003, ferrari2008};
 use serde::Serialize;
 
 /// What can be listed.
@@ -15,12 +15,16 @@ use serde::Serialize;
 enum Topic {
     /// Smoothing kernels.
     Kernels,
-    /// Advection schemes.
+    /// Schemes that step by themselves, with their equations.
     Schemes,
-    /// Methods that run scenes.
-    Methods,
-    /// Time integrators of particle methods.
+    /// Spaces for the method of lines.
+    Spaces,
+    /// Time integrators.
     Integrators,
+    /// Particle methods whose waves are judged, and methods that run scenes.
+    Methods,
+    /// How particles may lie.
+    Lattices,
     /// Scenes to run.
     Scenes,
     /// Tables and figures of the reports.
@@ -39,138 +43,160 @@ pub struct Arguments {
 /// One thing there is.
 #[derive(Debug, Serialize)]
 struct Entry {
-    name: &'static str,
-    aliases: &'static [&'static str],
+    name: String,
+    aliases: Vec<String>,
     description: String,
-    source: &'static str,
+    /// The equations of a scheme.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    equations: Option<String>,
+    source: String,
+}
+
+impl Entry {
+    fn new(name: &str, description: impl Into<String>, source: &str) -> Self {
+        Self {
+            name: name.into(),
+            aliases: Vec::new(),
+            description: description.into(),
+            equations: None,
+            source: source.into(),
+        }
+    }
 }
 
 impl From<run::Entry> for Entry {
     fn from(entry: run::Entry) -> Self {
-        let description = entry.description.into();
-        Self { name: entry.name, aliases: &[], description, source: entry.source }
+        Self::new(entry.name, entry.description, entry.source)
     }
 }
 
-/// A method whose waves are known in closed form.
-fn wave_entry(name: MethodName) -> Entry {
-    let method = name.example();
-    let what = match name {
-        MethodName::Sph => "waves of SPH",
-        MethodName::SphAv => "waves of SPH with viscosity α",
-        MethodName::Gph => "waves of Godunov particle hydrodynamics, --form resolved",
-    };
-    let description = format!("{what}: {}", method.relation());
-    Entry { name: method.name(), aliases: &[], description, source: method.source() }
+impl From<&SchemeFile> for Entry {
+    fn from(file: &SchemeFile) -> Self {
+        let equations = file.equations.text.trim().to_string();
+        Self {
+            equations: Some(equations),
+            ..Self::new(&file.name, file.title.as_str(), &file.source)
+        }
+    }
+}
+
+impl From<&Integrator> for Entry {
+    fn from(integrator: &Integrator) -> Self {
+        let stages = integrator.stages();
+        let plural = if stages == 1 { "" } else { "s" };
+        let description = format!("{}; {stages} new evaluation{plural} a step", integrator.title);
+        let aliases = integrator.aliases.clone();
+        Self { aliases, ..Self::new(&integrator.name, description, &integrator.source) }
+    }
+}
+
+impl From<Kernel> for Entry {
+    fn from(kernel: Kernel) -> Self {
+        let (support, deviation) = (kernel.support(), kernel.standard_deviation());
+        let description =
+            format!("{}; support {support} l, standard deviation {deviation:.4} l", kernel.title());
+        let aliases = kernel.aliases().iter().map(ToString::to_string).collect();
+        Self { aliases, ..Self::new(kernel.name(), description, kernel.source()) }
+    }
 }
 
 impl Topic {
-    const ALL: [Self; 6] = [
-        Self::Kernels,
-        Self::Schemes,
-        Self::Methods,
-        Self::Integrators,
-        Self::Scenes,
-        Self::Figures,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Kernels => "kernels",
-            Self::Schemes => "schemes",
-            Self::Methods => "methods",
-            Self::Integrators => "integrators",
-            Self::Scenes => "scenes",
-            Self::Figures => "figures",
-        }
+    fn name(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().into())
     }
 
     fn entries(self) -> Vec<Entry> {
         match self {
-            Self::Kernels => Kernel::ALL
-                .into_iter()
-                .map(|kernel| Entry {
-                    name: kernel.name(),
-                    aliases: kernel.aliases(),
-                    description: format!(
-                        "{}; support {} l, standard deviation {:.4} l",
-                        kernel.title(),
-                        kernel.support(),
-                        kernel.standard_deviation()
-                    ),
-                    source: kernel.source(),
-                })
-                .collect(),
-            Self::Schemes => AdvectionScheme::ALL
-                .into_iter()
-                .map(|scheme| Entry {
-                    name: scheme.name(),
-                    aliases: &[],
-                    description: scheme.formula().into(),
-                    source: scheme.source(),
-                })
-                .collect(),
+            Self::Kernels => Kernel::ALL.into_iter().map(Entry::from).collect(),
+            Self::Schemes => catalogue::schemes().iter().map(Entry::from).collect(),
+            Self::Spaces => catalogue::spaces().iter().map(Entry::from).collect(),
+            Self::Integrators => catalogue::integrators().iter().map(Entry::from).collect(),
             Self::Methods => {
-                let waves = MethodName::ALL.into_iter().map(wave_entry);
-                run::methods().into_iter().map(Entry::from).chain(waves).collect()
+                let waves = catalogue::methods().iter().map(Entry::from);
+                waves.chain(run::methods().into_iter().map(Entry::from)).collect()
             }
-            Self::Integrators => Integrator::ALL
-                .into_iter()
-                .map(|integrator| Entry {
-                    name: integrator.name(),
-                    aliases: integrator.aliases(),
-                    description: format!(
-                        "{}; force evaluations per step: {}",
-                        integrator.title(),
-                        integrator.force_evaluations()
-                    ),
-                    source: integrator.source(),
-                })
-                .collect(),
+            Self::Lattices => {
+                vec![Entry::new("line", "equal particles along a line, one spacing apart", "")]
+            }
             Self::Scenes => run::scenes().into_iter().map(Entry::from).collect(),
-            Self::Figures => courant::reports::catalogue()
-                .map(|item| Entry {
-                    name: item.name,
-                    aliases: &[],
-                    description: item.description.into(),
-                    source: item.source,
-                })
-                .collect(),
+            Self::Figures => figures(),
         }
     }
 }
 
+/// The tables and figures; a name that two papers use carries the paper.
+fn figures() -> Vec<Entry> {
+    let papers = [
+        ("ferrari2008", [ferrari2008::CATALOGUE, ferrari2008::section_3::CATALOGUE]),
+        (
+            "cha-whitworth2003",
+            [
+                cha_whitworth2003::dispersion::CATALOGUE,
+                cha_whitworth2003::particle_tests::CATALOGUE,
+            ],
+        ),
+    ];
+    let all: Vec<_> = papers
+        .iter()
+        .flat_map(|(paper, parts)| parts.iter().copied().flatten().map(move |item| (*paper, item)))
+        .collect();
+    let shared = |paper: &str, name: &str| {
+        all.iter().any(|(other, item)| item.name == name && *other != paper)
+    };
+    all.iter()
+        .map(|(paper, item)| {
+            let name = match shared(paper, item.name) {
+                true => format!("{paper}/{}", item.name),
+                false => item.name.into(),
+            };
+            Entry::new(&name, item.description, item.source)
+        })
+        .collect()
+}
+
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let topics = arguments.topic.map_or_else(|| Topic::ALL.to_vec(), |topic| vec![topic]);
+    let topics =
+        arguments.topic.map_or_else(|| Topic::value_variants().to_vec(), |topic| vec![topic]);
     if arguments.format == Format::Json {
         let lists: serde_json::Map<String, serde_json::Value> = topics
             .iter()
             .map(|topic| {
                 let entries =
                     serde_json::to_value(topic.entries()).expect("entries are plain data");
-                (topic.name().into(), entries)
+                (topic.name(), entries)
             })
             .collect();
         return print_json("list", &lists);
     }
     let mut text = String::new();
     for topic in topics {
-        let mut table = Table::new(
-            topic.name(),
-            &[
-                ("name", Align::Left),
-                ("also", Align::Left),
-                ("what it is", Align::Left),
-                ("source", Align::Left),
-            ],
-        );
-        for entry in topic.entries() {
-            table.push([
-                entry.name.to_string(),
+        let entries = topic.entries();
+        let also = entries.iter().any(|entry| !entry.aliases.is_empty());
+        let equations = entries.iter().any(|entry| entry.equations.is_some())
+            && arguments.format != Format::Table;
+        let columns = [
+            ("name", true),
+            ("also", also),
+            ("what it is", true),
+            ("equations", equations),
+            ("source", true),
+        ];
+        let heads: Vec<(&str, Align)> = columns
+            .iter()
+            .filter(|(_, when)| *when)
+            .map(|(name, _)| (*name, Align::Left))
+            .collect();
+        let mut table = Table::new(topic.name(), &heads);
+        for entry in entries {
+            let cells = [
+                entry.name,
                 entry.aliases.join(", "),
                 entry.description,
-                entry.source.into(),
-            ]);
+                entry.equations.unwrap_or_default(),
+                entry.source,
+            ];
+            let kept = cells.into_iter().zip(&columns).filter(|(_, (_, when))| *when);
+            table.push(kept.map(|(cell, _)| cell));
         }
         text.push_str(&table_text(&table, arguments.format).unwrap_or_default());
         text.push('\n');

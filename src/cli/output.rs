@@ -31,6 +31,31 @@ struct Envelope<'a, T> {
     body: &'a T,
 }
 
+/// What a terminal has room for.
+pub const WIDTH: usize = 100;
+
+/// Lines below a table, after an empty one; long ones are broken at spaces.
+pub fn paragraphs(lines: &[String]) -> String {
+    let mut text = String::new();
+    for line in lines {
+        text.push('\n');
+        let mut used = 0;
+        for word in line.split(' ') {
+            let width = word.chars().count();
+            if used > 0 && used + 1 + width > WIDTH {
+                text.push_str("\n  ");
+                used = 2;
+            } else if used > 0 {
+                text.push(' ');
+                used += 1;
+            }
+            text.push_str(word);
+            used += width;
+        }
+    }
+    if text.is_empty() { text } else { text + "\n" }
+}
+
 /// Prints text; a reader that went away is reported as such.
 pub fn print(text: &str) -> Result<Outcome, Failure> {
     print_bytes(text.as_bytes())

@@ -7,14 +7,32 @@ use courant::reports::table::{Align, Table};
 
 /// The columns that name a subject, in every command.
 pub const SUBJECT: [&str; 11] = [
-    "scheme", "integrator", "kernel", "ratio", "alpha", "eos", "density", "lattice", "dimension",
-    "parameter", "parameters",
+    "scheme",
+    "integrator",
+    "kernel",
+    "ratio",
+    "alpha",
+    "eos",
+    "density",
+    "lattice",
+    "dimension",
+    "parameter",
+    "parameters",
 ];
 
 /// The columns of a limit, in every command.
 const LIMIT: [&str; 11] = [
-    "value", "lower", "upper", "exact", "equation", "evidence", "critical_phase", "cause",
-    "binding", "included", "unbounded",
+    "value",
+    "lower",
+    "upper",
+    "exact",
+    "equation",
+    "evidence",
+    "critical_phase",
+    "cause",
+    "binding",
+    "included",
+    "unbounded",
 ];
 
 /// The cells under [`SUBJECT`].
@@ -92,7 +110,8 @@ pub(super) fn table(arguments: &Arguments, answers: &[Answer]) -> Table {
         cells.extend(limit_cells(Some(row.stability)));
         cells.extend([number(row.per_spacing), number(row.per_standard_deviation)]);
         cells.extend(limit_cells(row.monotonicity));
-        cells.extend(row.growth_limits.into_iter().flat_map(|found| limit_cells(Some(found.limit))));
+        cells
+            .extend(row.growth_limits.into_iter().flat_map(|found| limit_cells(Some(found.limit))));
         cells.push(row.keeps_constants.to_string());
         table.push(cells);
     }

@@ -12,15 +12,16 @@ use clap::Args;
 use courant::analysis::certificate::{
     Certificate, CertificationError, certify_monotonicity, certify_stability,
 };
-use courant::analysis::exact::rational::{Rational, to_f64};
+use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 use courant::analysis::stability::{
-    DEFAULT_BITS, Limit, SearchPlan, StableSet, monotonicity_limit, sampled_stability_limit,
+    DEFAULT_BITS, Limit, SearchPlan, SingularStep, StableSet, monotonicity_limit,
+    sampled_stability_limit,
 };
 use courant::reports::certificate_file;
 use courant::reports::number::finite;
 use courant::reports::record::{
-    GrowthRecord, IntervalRecord, LimitRecord, LimitsRow, intervals, undecided,
+    GrowthRecord, IntervalRecord, LimitRecord, LimitsRow, SingularRecord, intervals, undecided,
 };
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -81,6 +82,7 @@ struct Answer {
     monotonicity: Option<Limit>,
     monotone_set: Option<StableSet>,
     growth: Vec<(Rational, Limit)>,
+    singular: Vec<SingularStep>,
     keeps_constants: bool,
 }
 
@@ -142,6 +144,7 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
         monotonicity: monotonicity(&subject, &plan.max),
         monotone_set: None,
         growth: growth.collect::<Result<_, Failure>>()?,
+        singular: step.singular_steps(parameter, &plan).map_err(failed)?,
         keeps_constants: step.keeps_constants().map_err(failed)?,
         sought,
         subject,
@@ -160,8 +163,7 @@ fn monotonicity(subject: &Subject, max: &Rational) -> Option<Limit> {
 
 fn sampled(subject: &Subject, samples: usize, max: &Rational) -> Result<Limit, Failure> {
     let cells = (samples - 1) as f64;
-    let phases: Vec<f64> =
-        (0..samples).map(|i| i as f64 / cells * std::f64::consts::PI).collect();
+    let phases: Vec<f64> = (0..samples).map(|i| i as f64 / cells * std::f64::consts::PI).collect();
     let one = discretisation(subject).ok_or_else(|| {
         Failure::Message(format!("--samples: {} is no explicit one-step scheme", subject.file.name))
     })?;
@@ -208,12 +210,14 @@ fn write_certificates(
 pub fn no_monotonicity(subject: &Subject) -> &'static str {
     match subject.kind {
         Kind::Method => "monotonicity is a property of advection schemes",
-        _ => "whether all coefficients are positive is asked of explicit schemes between two time levels for one unknown",
+        _ => {
+            "whether all coefficients are positive is asked of explicit schemes between two time levels for one unknown"
+        }
     }
 }
 
 fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
-    let symbol = answer.sought.parameter.as_str();
+    let symbol = &answer.subject.symbol(&answer.sought.parameter);
     let record = |limit: &Limit| LimitRecord::new(limit, symbol, arguments.digits);
     let limit = &answer.stability;
     let units = answer.subject.other_units(limit.value());
@@ -235,6 +239,15 @@ fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
             Some(_) => None,
             None => Some(no_monotonicity(&answer.subject)),
         },
+        singular: answer
+            .singular
+            .iter()
+            .map(|one| SingularRecord {
+                value: one.value,
+                exact: one.exact.as_ref().map(to_text),
+                phase: one.phase,
+            })
+            .collect(),
         growth_limits: answer
             .growth
             .iter()

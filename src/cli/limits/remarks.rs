@@ -3,7 +3,7 @@
 use super::Answer;
 use crate::cli::limit_text;
 use crate::cli::subject::{Kind, density_name};
-use courant::analysis::exact::rational::decimal_below;
+use courant::analysis::exact::rational::{decimal_below, to_text};
 use courant::analysis::stability::Evidence;
 use courant::reports::number::significant;
 
@@ -26,8 +26,12 @@ impl Remarks {
     /// One line each.
     pub(super) fn lines(&self) -> Vec<String> {
         let line = |(text, rows): &(String, Vec<String>)| {
-            let named: Vec<&str> =
-                rows.iter().filter(|row| !row.is_empty()).take(MOST_NAMES).map(String::as_str).collect();
+            let named: Vec<&str> = rows
+                .iter()
+                .filter(|row| !row.is_empty())
+                .take(MOST_NAMES)
+                .map(String::as_str)
+                .collect();
             let more = rows.len().saturating_sub(MOST_NAMES);
             match (named.is_empty(), more) {
                 (true, _) => text.clone(),
@@ -39,6 +43,18 @@ impl Remarks {
     }
 }
 
+/// Stretches that touch are one.
+fn joined(stretches: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut joined: Vec<(f64, f64)> = Vec::new();
+    for &(from, to) in stretches {
+        match joined.last_mut() {
+            Some(last) if from <= last.1 => last.1 = last.1.max(to),
+            _ => joined.push((from, to)),
+        }
+    }
+    joined
+}
+
 /// All of them; `name` says which row an answer is, nothing where there is only one.
 pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> Remarks {
     let mut remarks = Remarks::default();
@@ -47,6 +63,7 @@ pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> R
         let symbol = answer.subject.symbol(&answer.sought.parameter);
         let symbol = symbol.as_str();
         let limit = &answer.stability;
+        let decided = limit.evidence() != Evidence::Undecided;
         let mut add = |text: String| remarks.add(&row, text);
         if let Some(text) = limit_text::exact_below(limit, &answer.sought.parameter) {
             add(format!("the limit {text}"));
@@ -60,16 +77,16 @@ pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> R
         if let (Some(binding), true) = (limit.binding(), limit.upper().is_finite()) {
             if binding.whatever_the_step {
                 add("some wave is unstable whatever the step: its restoring force has the wrong sign".into());
-            } else if !limit.is_included() && limit.is_positive() {
-                let wave = limit.critical_phase().map_or_else(String::new, |phase| {
-                    if phase > 0.0 {
-                        format!(" (the wave of {} Δ)", limit_text::length(phase))
-                    } else {
-                        String::new()
+            } else if !limit.is_included() && limit.is_positive() && decided {
+                // Named where there is one row to name it for.
+                let wave = match limit.critical_phase() {
+                    Some(phase) if phase > 0.0 && answers.len() == 1 => {
+                        format!("the wave of {} Δ", limit_text::length(phase))
                     }
-                });
+                    _ => "the wave that binds".into(),
+                };
                 add(format!(
-                    "at the limit itself two multipliers meet on the unit circle{wave}, and the amplitude may grow like the number of steps; below it is stable"
+                    "at the limit itself two multipliers of {wave} meet on the unit circle: its amplitude may grow like the number of steps"
                 ));
             }
         }
@@ -87,7 +104,9 @@ pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> R
             if limit.evidence() == Evidence::Undecided {
                 let budget = decimal_below(growth, 3);
                 let lower = significant(limit.lower(), 8);
-                add(format!("growth {budget} is proved up to {symbol} = {lower} and undecided above"));
+                add(format!(
+                    "growth {budget} is proved up to {symbol} = {lower} and undecided above"
+                ));
             }
         }
         let Some(set) = &answer.set else { continue };
@@ -100,9 +119,17 @@ pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> R
         if let Some(set) = answer.monotone_set.as_ref().filter(|set| limit_text::has_gaps(set)) {
             add(format!("monotone set {}", limit_text::set(set)));
         }
-        for (from, to) in &set.undecided {
-            let (from, to) = (significant(*from, 8), significant(*to, 8));
+        for (from, to) in joined(&set.undecided) {
+            let (from, to) = (significant(from, 8), significant(to, 8));
             add(format!("undecided for {symbol} in [{from}, {to}]"));
+        }
+        for singular in &answer.singular {
+            let exact = singular.exact.as_ref().map_or(singular.value.to_string(), to_text);
+            let wave = match singular.phase {
+                0.0 => "the longest wave".into(),
+                phase => format!("the wave of {} Δ", limit_text::length(phase)),
+            };
+            add(format!("singular at {symbol} = {exact}: the step cannot be solved for {wave}"));
         }
     }
     if let Some(answer) = answers.iter().find(|answer| answer.subject.kind == Kind::Method) {
@@ -117,11 +144,14 @@ pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> R
             subject.density.map(|density| format!(", density by {}", density_name(density))),
             all(&|other| other.subject.density == subject.density),
         );
-        remarks.add("", format!(
-            "linear waves along a line of equal particles (one dimension){}{}",
-            eos.unwrap_or_default(),
-            density.unwrap_or_default()
-        ));
+        remarks.add(
+            "",
+            format!(
+                "linear waves along a line of equal particles (one dimension){}{}",
+                eos.unwrap_or_default(),
+                density.unwrap_or_default()
+            ),
+        );
     }
     remarks
 }

@@ -3,16 +3,13 @@
 use super::remarks::remarks;
 use super::{Answer, Arguments, budgets};
 use crate::cli::limit_text::{DEFAULT_DIGITS, digits, exact, wave};
-use crate::cli::output::Format;
-use crate::cli::subject::{Kind, Label, varying};
+use crate::cli::output::{Format, WIDTH, paragraphs};
+use crate::cli::subject::{Kind, Label, row_name, varying};
 use courant::analysis::exact::rational::{Rational, decimal_below, to_f64};
 use courant::analysis::stability::Limit;
 use courant::reports::number::significant;
 use courant::reports::table::{Align, Cell, Table};
 use num_traits::Signed;
-
-/// What a terminal has room for.
-const WIDTH: usize = 100;
 
 /// Digits of a cell where two lists meet, and of growth budgets.
 const FEW_DIGITS: usize = 6;
@@ -30,15 +27,8 @@ pub(super) fn text(arguments: &Arguments, answers: &[Answer], format: Format) ->
     };
     let mut text = tables.iter().map(shown).collect::<Vec<_>>().join("\n");
     if format == Format::Table {
-        let name = |answer: &Answer| {
-            let labels = answer.subject.labels();
-            let told = labels.iter().filter(|label| varying.contains(&label.heading));
-            told.map(|label| label.caption.clone()).collect::<Vec<_>>().join(", ")
-        };
-        let lines = remarks(answers, name).lines();
-        if !lines.is_empty() {
-            text.push_str(&format!("\n{}\n", lines.join("\n")));
-        }
+        let name = |answer: &Answer| row_name(&answer.subject.labels(), &varying);
+        text.push_str(&paragraphs(&remarks(answers, name).lines()));
     }
     text
 }
@@ -92,10 +82,7 @@ fn rows(
     varying: &[String],
     level: usize,
 ) -> Table {
-    let mut headings: Vec<String> = varying.to_vec();
-    if headings.is_empty() {
-        headings.push(labels[0][0].heading.clone());
-    }
+    let headings: Vec<String> = varying.to_vec();
     let evidence = answers[0].stability.evidence().name();
     let mixed = answers.iter().any(|answer| answer.stability.evidence().name() != evidence);
     let monotone = answers.iter().any(|answer| answer.monotonicity.is_some());
@@ -108,7 +95,8 @@ fn rows(
     let mut columns: Vec<(String, Align)> = headings
         .iter()
         .map(|heading| {
-            let text = matches!(heading.as_str(), "kernel" | "scheme" | "equation" | "space" | "method" | "integrator" | "eos" | "density");
+            let label = labels.iter().flatten().find(|label| label.heading == *heading);
+            let text = label.is_some_and(Label::is_text);
             (heading.clone(), if text { Align::Left } else { Align::Right })
         })
         .collect();
@@ -154,7 +142,8 @@ fn rows(
         let end = limit.binding().map_or_else(|| "–".into(), |binding| binding.name());
         add(end.into(), method && level < 2);
         let monotonicity = answer.monotonicity.as_ref();
-        let text = monotonicity.map_or("–".into(), |m| digits(m, arguments.digits, DEFAULT_DIGITS));
+        let text =
+            monotonicity.map_or("–".into(), |m| digits(m, arguments.digits, DEFAULT_DIGITS));
         add(text.into(), monotone);
         add(monotonicity.map_or("–".into(), exact), monotone && exact_monotone);
         let few = if level > 0 { FEW_DIGITS } else { DEFAULT_DIGITS };

@@ -93,6 +93,13 @@ pub struct Label {
     pub caption: String,
 }
 
+impl Label {
+    /// Whether the column has words in it, not numbers.
+    pub fn is_text(&self) -> bool {
+        !self.caption.contains(" = ") || self.heading == "equation"
+    }
+}
+
 impl Subject {
     /// The lattice of its kernel.
     pub fn lattice(&self) -> Result<Option<KernelLattice>, Failure> {
@@ -205,7 +212,11 @@ impl Subject {
                 Err(Failure::Message(format!(
                     "--set: {} have no value; give {} and leave out the one whose limit is sought, or name it by --parameter",
                     joined(&names),
-                    names.iter().map(|name| format!("--set {name}=…")).collect::<Vec<_>>().join(" ")
+                    names
+                        .iter()
+                        .map(|name| format!("--set {name}=…"))
+                        .collect::<Vec<_>>()
+                        .join(" ")
                 )))
             }
         }
@@ -329,7 +340,8 @@ fn joined(names: &[&String]) -> String {
 
 /// Parameters are missing.
 fn without_values(open: &[String]) -> Failure {
-    let (verb, subject) = if open.len() == 1 { ("has", "the parameter") } else { ("have", "the parameters") };
+    let (verb, subject) =
+        if open.len() == 1 { ("has", "the parameter") } else { ("have", "the parameters") };
     let settings: Vec<String> = open.iter().map(|name| format!("--set {name}=…")).collect();
     Failure::Message(format!(
         "--set: {subject} {} {verb} no value; give {}",
@@ -349,9 +361,16 @@ pub fn varying(rows: &[Vec<Label>]) -> Vec<String> {
     let always = ["kernel", "l/Δξ", "h/Δ"];
     let differs = |wanted: &Label| {
         always.contains(&wanted.heading.as_str())
-            || rows.iter().any(|row| {
-                row.iter().find(|label| label.heading == wanted.heading) != Some(wanted)
-            })
+            || rows
+                .iter()
+                .any(|row| row.iter().find(|label| label.heading == wanted.heading) != Some(wanted))
     };
     headings.into_iter().filter(|label| differs(label)).map(|l| l.heading.clone()).collect()
+}
+
+/// What tells one row from the others in a remark.
+pub fn row_name(labels: &[Label], varying: &[String]) -> String {
+    let told = labels.iter().filter(|label| varying.contains(&label.heading));
+    let text = |label: &Label| if label.is_text() { &label.cell } else { &label.caption }.clone();
+    told.map(text).collect::<Vec<_>>().join(", ")
 }

@@ -4,7 +4,7 @@ use super::{EquationOfState, Kind, PRESSURE, Subject};
 use crate::cli::numbers::{self, Names, Numbers};
 use crate::cli::{Failure, names};
 use clap::Args;
-use courant::analysis::exact::rational::{Rational, integer, to_text};
+use courant::analysis::exact::rational::{Rational, integer};
 use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::Integrator;
 use courant::analysis::scheme::catalogue::{self, Known, SchemeFile};
@@ -102,7 +102,8 @@ fn setting(text: &str) -> Result<(String, Numbers), String> {
 
 /// What linear theory sees of an equation of state.
 fn equation_of_state(text: &str) -> Result<EquationOfState, String> {
-    let accepted = "accepted: isothermal, ideal:GAMMA such as ideal:7/5, tait:P0 with P0 in units of ρ c²";
+    let accepted =
+        "accepted: isothermal, ideal:GAMMA such as ideal:7/5, tait:P0 with P0 in units of ρ c²";
     let (kind, number) = match text.split_once(':') {
         Some((kind, number)) => {
             let read = numbers::number(number).map_err(|error| format!("{error}; {accepted}"))?;
@@ -135,7 +136,9 @@ fn one_dimension(text: &str) -> Result<usize, String> {
 fn resolved(text: &str) -> Result<String, String> {
     match text {
         "resolved" => Ok(text.into()),
-        "published" => Err("the published relation is no scheme that runs; accepted: resolved".into()),
+        "published" => {
+            Err("the published relation is no scheme that runs; accepted: resolved".into())
+        }
         _ => Err("accepted: resolved".into()),
     }
 }
@@ -156,7 +159,8 @@ impl SubjectOptions {
         self.refuse_foreign(kind, &files)?;
         let integrators = self.integrators(method)?;
         let nothing = || vec![None];
-        let listed = |list: Option<Vec<_>>| list.map_or_else(nothing, |l| l.into_iter().map(Some).collect());
+        let listed =
+            |list: Option<Vec<_>>| list.map_or_else(nothing, |l| l.into_iter().map(Some).collect());
         let states = match (&self.eos, method) {
             (_, false) => vec![None],
             (Some(names), true) => names.0.iter().cloned().map(Some).collect(),
@@ -184,7 +188,9 @@ impl SubjectOptions {
                         file.name
                     )));
                 }
-                let pairs = kernels.iter().flat_map(|kernel| ratios.iter().map(move |r| (*kernel, r.clone())));
+                let pairs = kernels
+                    .iter()
+                    .flat_map(|kernel| ratios.iter().map(move |r| (*kernel, r.clone())));
                 pairs.map(Some).collect()
             } else {
                 vec![None]
@@ -200,7 +206,8 @@ impl SubjectOptions {
             } else {
                 vec![None]
             };
-            let count = completed.len() * states.len() * densities.len() * settings.len() * lattices.len();
+            let count =
+                completed.len() * states.len() * densities.len() * settings.len() * lattices.len();
             if subjects.len() + count > MAX_SUBJECTS {
                 return Err(refuse(format!(
                     "the lists have more than {MAX_SUBJECTS} combinations; make them shorter"
@@ -246,7 +253,9 @@ impl SubjectOptions {
         };
         match (&self.scheme, &self.space, &self.method) {
             (Some(list), ..) => of_catalogue(Kind::Scheme, list),
-            (_, Some(text), _) if text.contains('[') => Ok((Kind::Space, vec![typed(Kind::Space, text)?])),
+            (_, Some(text), _) if text.contains('[') => {
+                Ok((Kind::Space, vec![typed(Kind::Space, text)?]))
+            }
             (_, Some(list), _) => of_catalogue(Kind::Space, list),
             (.., Some(list)) => of_catalogue(Kind::Method, list),
             _ if self.equation.is_empty() => Err(refuse(
@@ -266,13 +275,37 @@ impl SubjectOptions {
         let lines = files.iter().any(|file| file.is_of_lines());
         let names = files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>().join(", ");
         let foreign = [
-            ("--eos", self.eos.is_some() && !method, "only a particle method (--method) has an equation of state"),
-            ("--density", self.density.is_some() && !method, "only a particle method (--method) has a density"),
-            ("--dimension", self.dimension.is_some() && !method, "equations say by themselves how many there are"),
+            (
+                "--eos",
+                self.eos.is_some() && !method,
+                "only a particle method (--method) has an equation of state",
+            ),
+            (
+                "--density",
+                self.density.is_some() && !method,
+                "only a particle method (--method) has a density",
+            ),
+            (
+                "--dimension",
+                self.dimension.is_some() && !method,
+                "equations say by themselves how many there are",
+            ),
             ("--form", self.form.is_some() && names != "gph", "only gph takes it"),
-            ("--kernel", self.kernel.is_some() && !kernel, "there are no kernel sums in these equations"),
-            ("--ratio", self.ratio.is_some() && !kernel, "there are no kernel sums in these equations"),
-            ("--integrator", self.integrator.is_some() && !lines, "these equations step by themselves"),
+            (
+                "--kernel",
+                self.kernel.is_some() && !kernel,
+                "there are no kernel sums in these equations",
+            ),
+            (
+                "--ratio",
+                self.ratio.is_some() && !kernel,
+                "there are no kernel sums in these equations",
+            ),
+            (
+                "--integrator",
+                self.integrator.is_some() && !lines,
+                "these equations step by themselves",
+            ),
         ];
         match foreign.iter().find(|(_, given, _)| *given) {
             Some((option, _, why)) => Err(refuse(format!("{option}: {names}: {why}"))),
@@ -297,7 +330,9 @@ impl SubjectOptions {
                 return Err(refuse(format!("--set {name}: it is given twice; write a list")));
             }
             if name == PRESSURE && self.method.is_some() {
-                return Err(refuse(format!("--set {name}: the equation of state sets it; use --eos")));
+                return Err(refuse(format!(
+                    "--set {name}: the equation of state sets it; use --eos"
+                )));
             }
             if combinations.len().saturating_mul(values.0.len()) > MAX_SUBJECTS {
                 return Err(refuse(format!(
@@ -313,7 +348,9 @@ impl SubjectOptions {
             };
             combinations = combinations
                 .into_iter()
-                .flat_map(|set| values.0.iter().map(move |value| with(value)(set.clone())).collect::<Vec<_>>())
+                .flat_map(|set| {
+                    values.0.iter().map(move |value| with(value)(set.clone())).collect::<Vec<_>>()
+                })
                 .collect();
             known.push(name);
         }
