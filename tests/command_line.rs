@@ -217,7 +217,7 @@ fn every_format_has_its_shape() {
                 .stdout,
         )
     };
-    assert!(limits("csv").starts_with("scheme,kernel,ratio,stability,stability_lower,"));
+    assert!(limits("csv").starts_with("scheme,integrator,kernel,ratio,"));
     assert!(limits("markdown").starts_with("| kernel |"));
     assert!(limits("latex").contains("$\\frac{15}{8}$"));
     assert!(limits("table").contains("15/8"));
@@ -278,7 +278,7 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
         ),
         (vec!["limits", "--scheme", "godunov-sph", "--ratio", ""], vec!["--ratio", "empty"]),
         (vec!["limits", "--scheme", "godunov-sph"], vec!["--ratio", "required"]),
-        (vec!["limits"], vec!["--ratio", "--scheme", "--method", "required"]),
+        (vec!["limits"], vec!["--equation", "--scheme", "--space", "--method", "required"]),
         (vec!["check", "--scheme", "godunov-sph", "--cfl", "1", "--ratio"], vec!["--ratio", "3/2"]),
         (vec!["limits", "--scheme", "--ratio", "2"], vec!["--scheme", "lax-wendroff-sph"]),
         (vec!["map", "--scheme", "godunov-sph", "--out", ""], vec!["--out", "Directory"]),

@@ -140,7 +140,10 @@ impl Subject {
             if !known.contains(name) && self.file.parameters.contains_key(name) {
                 continue;
             }
-            let option = format!("--set {name}={}", numbers::brief(given));
+            let option = match name.as_str() {
+                "alpha" => format!("--alpha {}", numbers::brief(given)),
+                _ => format!("--set {name}={}", numbers::brief(given)),
+            };
             step = step
                 .with(name, given)
                 .map_err(|error| Failure::Message(format!("{option}: {error}")))?;
