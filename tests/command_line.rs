@@ -258,7 +258,7 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
         ),
         (
             vec!["limits", "--scheme", "godunov-sph", "--ratio", "0"],
-            vec!["--ratio", "above 0 and at most 50"],
+            vec!["--ratio", "at least 1/100 and at most 50"],
         ),
         (
             vec!["limits", "--scheme", "godunov-sph", "--ratio", "-2"],

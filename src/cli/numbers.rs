@@ -1,7 +1,7 @@
 //! Numbers, lists and ranges, read exactly: `1,2,3`, `1:10:0.5` (inclusive), `3/2`.
 
 use courant::analysis::exact::rational::{Rational, integer, parse, to_text};
-use courant::analysis::kernel::lattice::MAX_RATIO;
+use courant::analysis::kernel::lattice::{MAX_INVERSE_RATIO, MAX_RATIO, RatioOutOfRange};
 use num_traits::{Signed, ToPrimitive};
 use std::collections::HashSet;
 
@@ -151,10 +151,13 @@ pub fn ratio(text: &str) -> Result<Rational, String> {
 }
 
 fn ratio_in_range(value: Rational) -> Result<Rational, String> {
-    if value.is_positive() && value <= integer(MAX_RATIO) {
+    if RatioOutOfRange::check(&value).is_ok() {
         Ok(value)
     } else {
-        Err(format!("{} is out of range: above 0 and at most {MAX_RATIO}", brief(&value)))
+        Err(format!(
+            "{} is out of range: at least 1/{MAX_INVERSE_RATIO} and at most {MAX_RATIO}",
+            brief(&value)
+        ))
     }
 }
 

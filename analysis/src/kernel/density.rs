@@ -1,10 +1,10 @@
 //! The density that goes with unit mass per lattice spacing.
 
 use crate::exact::fixed_point;
-use crate::exact::rational::{Rational, integer, to_text};
+use crate::exact::rational::{Rational, integer};
 use crate::kernel::Kernel;
-use crate::kernel::lattice::{MAX_RATIO, RatioOutOfRange};
-use num_traits::{Signed, ToPrimitive, Zero};
+use crate::kernel::lattice::RatioOutOfRange;
+use num_traits::{ToPrimitive, Zero};
 
 /// Which density `ρ0` of the undisturbed lattice the equations use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
@@ -72,15 +72,13 @@ pub struct Enclosure {
 /// ```
 ///
 /// # Errors
-/// When the ratio is not in `(0, 50]`.
+/// When the ratio is not in `[1/100, 50]`.
 pub fn relative_density(
     kernel: Kernel,
     ratio: &Rational,
     density: Density,
 ) -> Result<Enclosure, RatioOutOfRange> {
-    if !ratio.is_positive() || *ratio > integer(MAX_RATIO) {
-        return Err(RatioOutOfRange(to_text(ratio)));
-    }
+    RatioOutOfRange::check(ratio)?;
     if density == Density::MassPerSpacing {
         return Ok(Enclosure { center: integer(1), radius: Rational::zero() });
     }

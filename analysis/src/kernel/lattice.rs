@@ -10,10 +10,27 @@ use thiserror::Error;
 /// The largest smoothing ratio that is accepted.
 pub const MAX_RATIO: i64 = 50;
 
-/// A smoothing ratio outside `(0, 50]`.
+/// The smallest one is one over this: far below the first neighbour, where nothing depends on it any more.
+pub const MAX_INVERSE_RATIO: i64 = 100;
+
+/// A smoothing ratio outside `[1/100, 50]`.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("the smoothing ratio {0} is out of range: it must be above 0 and at most {MAX_RATIO}")]
+#[error(
+    "the smoothing ratio {0} is out of range: it must be at least 1/{MAX_INVERSE_RATIO} and at most {MAX_RATIO}"
+)]
 pub struct RatioOutOfRange(pub String);
+
+impl RatioOutOfRange {
+    /// Judges a ratio.
+    ///
+    /// # Errors
+    /// When it is out of range.
+    pub fn check(ratio: &Rational) -> Result<(), Self> {
+        let accepted =
+            *ratio <= integer(MAX_RATIO) && ratio * integer(MAX_INVERSE_RATIO) >= integer(1);
+        accepted.then_some(()).ok_or_else(|| Self(crate::exact::rational::to_text(ratio)))
+    }
+}
 
 /// A weight of which nothing is known: an end of its interval is infinite.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -49,11 +66,9 @@ impl LatticeWeights {
     /// ```
     ///
     /// # Errors
-    /// When the ratio is not in `(0, 50]`.
+    /// When the ratio is not in `[1/100, 50]`.
     pub fn new(kernel: Kernel, ratio: &Rational) -> Result<Self, RatioOutOfRange> {
-        if !ratio.is_positive() || *ratio > integer(MAX_RATIO) {
-            return Err(RatioOutOfRange(crate::exact::rational::to_text(ratio)));
-        }
+        RatioOutOfRange::check(ratio)?;
         // A lattice point exactly on the edge of the support belongs to it.
         let reach = (kernel.exact_support() * ratio).floor().to_integer().to_i64();
         let reach = reach.expect("a ratio of at most 50 gives a small integer");
@@ -95,16 +110,14 @@ impl LatticeWeights {
     /// ```
     ///
     /// # Errors
-    /// The outer one when the ratio is not in `(0, 50]`, the inner one when an enclosure is infinite.
+    /// The outer one when the ratio is not in `[1/100, 50]`, the inner one when an enclosure is infinite.
     pub fn enclosed(
         support: &Rational,
         ratio: &Rational,
         slope: impl Fn(Interval) -> Interval,
         curvature: impl Fn(Interval) -> Interval,
     ) -> Result<Result<Self, UnboundedWeight>, RatioOutOfRange> {
-        if !ratio.is_positive() || *ratio > integer(MAX_RATIO) {
-            return Err(RatioOutOfRange(crate::exact::rational::to_text(ratio)));
-        }
+        RatioOutOfRange::check(ratio)?;
         let reach = (support * ratio).floor().to_integer().to_i64();
         let reach = reach.filter(|reach| (0..=1000).contains(reach));
         let reach = reach.ok_or_else(|| RatioOutOfRange(crate::exact::rational::to_text(ratio)))?;

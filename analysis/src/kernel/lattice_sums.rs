@@ -46,7 +46,7 @@ impl LatticeSums {
     /// ```
     ///
     /// # Errors
-    /// When the ratio is not in `(0, 50]`.
+    /// When the ratio is not in `[1/100, 50]`.
     pub fn new(
         kernel: Kernel,
         ratio: &Rational,

@@ -28,7 +28,7 @@ impl KernelLattice {
     /// A known kernel at a ratio.
     ///
     /// # Errors
-    /// When the ratio is not in `(0, 50]`.
+    /// When the ratio is not in `[1/100, 50]`.
     pub fn new(kernel: Kernel, ratio: &Rational) -> Result<Self, RatioOutOfRange> {
         let weights = LatticeWeights::new(kernel, ratio)?;
         let value = |k| relative_value(kernel, ratio, k);

@@ -73,7 +73,7 @@ impl LinearLagrangianScheme {
     /// The scheme for a kernel, `ratio = l/Δξ` and `contact_viscosity = λ₂/C`.
     ///
     /// # Errors
-    /// When the ratio is not in `(0, 50]`.
+    /// When the ratio is not in `[1/100, 50]`.
     pub fn new(
         kernel: Kernel,
         ratio: Rational,

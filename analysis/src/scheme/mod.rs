@@ -210,7 +210,7 @@ impl Discretisation {
     /// The scheme on the lattice.
     ///
     /// # Errors
-    /// When the ratio is not in `(0, 50]`.
+    /// When the ratio is not in `[1/100, 50]`.
     pub fn new(
         scheme: AdvectionScheme,
         kernel: Kernel,

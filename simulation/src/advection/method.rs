@@ -43,7 +43,7 @@ impl Method {
     /// Whether the numbers are in range.
     ///
     /// # Errors
-    /// When the ratio is not in `(0, 50]` or the Courant number not positive and finite.
+    /// When the ratio is not in `[1/100, 50]` or the Courant number not positive and finite.
     pub fn check(&self) -> Result<(), MethodError> {
         if !(self.ratio > 0.0 && self.ratio <= MAX_RATIO as f64) {
             return Err(MethodError::Ratio(self.ratio));

@@ -100,7 +100,7 @@ pub(super) fn check(subject: &Subject, symbol: &CertifiedSymbol) -> Result<(), C
 
 /// `[w_1, …]` and `[v_0, v_1, …]`.
 fn weights(kernel: &str, l: &Rational) -> Result<(Vec<Weight>, Vec<Weight>), CertificateError> {
-    ensure(l.is_positive() && *l <= integer(50), "the smoothing ratio is not in (0, 50]")?;
+    ensure(l.is_positive() && *l <= integer(50), "the smoothing ratio is not in [1/100, 50]")?;
     let terms = truncated_powers(kernel);
     let support = match &terms {
         Some(terms) => terms.iter().map(|(_, knot, _)| knot.clone()).max(),

@@ -32,7 +32,7 @@ impl WaveScheme {
     /// The isothermal scheme, `P = ρ0 c²`, with the summation density.
     ///
     /// # Errors
-    /// When the ratio is not in `(0, 50]`.
+    /// When the ratio is not in `[1/100, 50]`.
     pub fn new(
         method: WaveMethod,
         kernel: Kernel,

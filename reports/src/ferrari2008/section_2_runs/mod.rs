@@ -59,5 +59,5 @@ fn kernels(detail: Detail) -> &'static [Kernel] {
 
 /// A discretisation whose ratio is written in the source.
 fn discretisation(scheme: AdvectionScheme, kernel: Kernel, ratio: Rational) -> Discretisation {
-    Discretisation::new(scheme, kernel, ratio).expect("the ratio is within (0, 50]")
+    Discretisation::new(scheme, kernel, ratio).expect("the ratio is within [1/100, 50]")
 }
