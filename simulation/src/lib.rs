@@ -11,3 +11,4 @@ pub mod particles;
 pub mod riemann;
 pub mod run;
 pub mod scene;
+pub mod stepping;

@@ -74,7 +74,7 @@ impl KernelLattice {
     }
 
     /// One weight with its radius; zero beyond the reach. `None` where the values of the kernel are not known.
-    pub(crate) fn weight(&self, weight: Weight, offset: usize) -> Option<(Rational, Rational)> {
+    pub fn weight(&self, weight: Weight, offset: usize) -> Option<(Rational, Rational)> {
         let radius = self.weights.radius.clone();
         let (found, radius) = match weight {
             Weight::Value if self.values.is_empty() => return None,

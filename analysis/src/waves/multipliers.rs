@@ -11,6 +11,8 @@ use num_complex::Complex64;
 use num_traits::One;
 use std::f64::consts::PI;
 
+mod errors;
+
 /// A [`Step`] in `f64`: the coefficients of `χ(z)` for any wave and any values of the parameters that are free.
 ///
 /// ```

@@ -1,0 +1,89 @@
+//! The second road: typed equations run as they stand.
+//!
+//! A scheme's [syntax tree](courant_analysis::scheme::language::syntax) is compiled into stencils on arrays and stepped on a
+//! periodic ring. This code knows numbers and arrays; it shares nothing with the analysis but the text that was read and the numbers
+//! of kernels and integrators. What it measures is therefore evidence: [`validate`] excites every wave and compares what a step does
+//! with multipliers that were predicted, and [`bracket_limit`] starts from noise on both sides of a limit.
+
+mod bracket;
+mod dense;
+mod eigenvalues;
+mod levels;
+mod linear_form;
+mod pairing;
+mod program;
+mod propagator;
+mod ring_scheme;
+mod rounded;
+mod runs;
+mod stages;
+mod validation;
+
+pub use bracket::{Bracket, NoisePlan, NoiseRun, bracket_limit, noise_run};
+pub use propagator::Propagator;
+pub use ring_scheme::{Ring, RingScheme};
+pub use runs::Run;
+pub use validation::{Multiplier, Row, Validation, ValidationPlan, validate};
+
+/// Why equations cannot be run.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SteppingError {
+    /// An expression that is no linear scheme's.
+    #[error("{problem}: `{place}`")]
+    NotUnderstood {
+        /// What is wrong.
+        problem: String,
+        /// The text of the place.
+        place: String,
+    },
+    /// A parameter without a value.
+    #[error("the parameter `{0}` needs a value")]
+    NotSet(String),
+    /// More than one space dimension.
+    #[error("{0} space dimensions: equations are run in one")]
+    Dimension(usize),
+    /// Not as many equations as unknowns.
+    #[error("{equations} equations for {unknowns} unknowns: there must be as many")]
+    NotSquare {
+        /// Equations.
+        equations: usize,
+        /// Unknowns.
+        unknowns: usize,
+    },
+    /// Too many equations.
+    #[error("{equations} equations with time levels; at most {most} are run together")]
+    TooManyEquations {
+        /// Equations.
+        equations: usize,
+        /// How many may be.
+        most: usize,
+    },
+    /// An unknown that the equations do not give.
+    #[error("the equations do not determine `{0}`")]
+    NotDetermined(String),
+    /// All unknowns at one level.
+    #[error("no unknown stands at a later level than another: nothing is advanced in time")]
+    NoStep,
+    /// Equations with `u[j]'` alone.
+    #[error("equations with u[j]' need a time integrator")]
+    NeedsIntegrator,
+    /// Equations with time levels and an integrator.
+    #[error("an integrator completes equations with u[j]', not with time levels")]
+    TakesNoIntegrator,
+    /// A Nyström method without positions and velocities.
+    #[error(
+        "this integrator is for positions and velocities: it needs an equation x[j]' = v[j] and one for v[j]'"
+    )]
+    NoPositions,
+    /// A ring without cells.
+    #[error("a ring needs at least one cell")]
+    NoCells,
+    /// The implicit part has no solution.
+    #[error(
+        "the implicit step is singular on a ring of {cells} cells: some wave has no next value"
+    )]
+    Singular {
+        /// Cells of the ring.
+        cells: usize,
+    },
+}

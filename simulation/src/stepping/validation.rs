@@ -1,0 +1,211 @@
+//! Predicted against measured: every wave of a ring, every branch.
+
+use super::propagator::Propagator;
+use super::ring_scheme::RingScheme;
+use super::runs::{Run, Runs};
+use super::{SteppingError, pairing};
+use num_complex::Complex64;
+use serde::Serialize;
+
+/// What a validation runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ValidationPlan {
+    /// Cells of the ring.
+    pub cells: usize,
+    /// Steps of the runs on each branch.
+    pub steps: usize,
+}
+
+impl Default for ValidationPlan {
+    /// 32 cells, 100 steps.
+    fn default() -> Self {
+        Self { cells: 32, steps: 100 }
+    }
+}
+
+/// A multiplier by what it does to a wave.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Multiplier {
+    /// Its modulus.
+    pub gain: f64,
+    /// Its argument in radians.
+    pub phase: f64,
+}
+
+/// One branch of one wave.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// Waves on the ring.
+    pub mode: usize,
+    /// `2π mode/cells`.
+    pub phase: f64,
+    /// Which of the multipliers of this wave, from 0; followed from wave to wave.
+    pub branch: usize,
+    /// What was predicted.
+    pub predicted: Multiplier,
+    /// What the equations did.
+    pub measured: Multiplier,
+    /// `|measured − predicted|`.
+    pub error: f64,
+    /// How large the error may be for round-off.
+    pub tolerance: f64,
+    /// The run along this branch; `None` where round-off covers it within a step.
+    pub run: Option<Run>,
+}
+
+/// Predicted against measured for all waves of a ring.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Validation {
+    /// One row for each wave `0, …, ⌊cells/2⌋` and branch.
+    pub rows: Vec<Row>,
+    /// Cells of the ring.
+    pub cells: usize,
+    /// The largest error of a row.
+    pub max_error: f64,
+    /// The largest tolerance of a row; where a row fails, that of the row that fails by most.
+    pub tolerance: f64,
+    /// What the tolerances are, in words.
+    pub tolerance_meaning: &'static str,
+    /// Whether every row and every run agrees and no step made a wave of another.
+    pub passed: bool,
+    /// What failed first, in words.
+    pub failure: Option<String>,
+}
+
+const TOLERANCE_MEANING: &str = "round-off of the step (running error analysis of its sums and of its solver) and of the predicted \
+    coefficients, carried to each multiplier by its condition: some 1e-16 times the sum of absolute products where it is simple, \
+    the m-th root of that where m multipliers meet";
+
+/// Excites every wave of a ring and compares the multipliers that the running equations show with predicted ones.
+///
+/// `predicted` gives the multipliers of the wave of a phase, in any order, each with a bound on its own round-off; those that vanish
+/// may be left out.
+///
+/// ```
+/// use courant_analysis::scheme::{Step, language::parse};
+/// use courant_simulation::stepping::{RingScheme, ValidationPlan, validate};
+/// let text = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])";
+/// let leapfrog = RingScheme::new(&parse(text)?, None, None, &[("C".into(), 0.5)])?;
+/// let multipliers = Step::from_text(text)?.compile()?;
+/// let validation =
+///     validate(&leapfrog, |phase| multipliers.multipliers_with_errors(&[0.5], phase), ValidationPlan::default())?;
+/// assert!(validation.passed && validation.max_error < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// When the step is singular on the ring.
+pub fn validate(
+    scheme: &RingScheme,
+    predicted: impl Fn(f64) -> Vec<(Complex64, f64)>,
+    plan: ValidationPlan,
+) -> Result<Validation, SteppingError> {
+    let ring = scheme.ring(plan.cells)?;
+    let rounding = ring.rounding();
+    let propagators: Vec<_> =
+        (0..=plan.cells / 2).map(|mode| ring.propagator_with(mode, &rounding)).collect();
+    let runs = Runs::new(&ring, &propagators, plan.steps);
+    let mut rows: Vec<Row> = Vec::new();
+    let mut last: Vec<Complex64> = Vec::new();
+    let mut failure = None;
+    for propagator in &propagators {
+        if fails(propagator.other_waves, 1.0) {
+            failure.get_or_insert(format!("a step makes other waves of wave {}", propagator.mode));
+        }
+        let pairs = pairs(propagator, predicted(propagator.phase));
+        let multipliers: Vec<_> = pairs.iter().map(|pair| pair.predicted).collect();
+        // The order of the wave before.
+        let order = pairing::nearest(&last, &multipliers);
+        for (branch, &place) in order.iter().enumerate() {
+            rows.extend(row(&runs, propagator, branch, &pairs[place]));
+        }
+        last = order.iter().map(|&place| multipliers[place]).collect();
+    }
+    Ok(summary(rows, plan.cells, failure))
+}
+
+/// A predicted multiplier and the measured one that belongs to it.
+struct Pair {
+    predicted: Complex64,
+    /// How far it may be off.
+    own_error: f64,
+    measured: Complex64,
+}
+
+/// The nearest to each other, both lists made as long as the longer one by zeros.
+fn pairs(propagator: &Propagator, mut predicted: Vec<(Complex64, f64)>) -> Vec<Pair> {
+    let mut measured = propagator.multipliers();
+    let longer = predicted.len().max(measured.len());
+    predicted.resize(longer, (Complex64::default(), 0.0));
+    measured.resize(longer, Complex64::default());
+    let multipliers: Vec<_> = predicted.iter().map(|(multiplier, _)| *multiplier).collect();
+    let order = pairing::nearest(&multipliers, &measured);
+    let both = predicted.into_iter().zip(order);
+    both.map(|((predicted, own_error), place)| Pair {
+        predicted,
+        own_error,
+        measured: measured[place],
+    })
+    .collect()
+}
+
+/// A row, unless both multipliers vanish.
+fn row(runs: &Runs<'_>, propagator: &Propagator, branch: usize, pair: &Pair) -> Option<Row> {
+    let error = (pair.measured - pair.predicted).norm();
+    let tolerance = propagator.spread(pair.measured) + pair.own_error;
+    if pair.predicted.norm() == 0.0 && error <= tolerance {
+        return None;
+    }
+    let multiplier = |z: Complex64| Multiplier { gain: z.norm(), phase: z.arg() };
+    Some(Row {
+        mode: propagator.mode,
+        phase: propagator.phase,
+        branch,
+        predicted: multiplier(pair.predicted),
+        measured: multiplier(pair.measured),
+        error,
+        tolerance,
+        run: runs.on_branch(propagator, pair.predicted, pair.own_error),
+    })
+}
+
+/// An error that is no number fails.
+fn fails(error: f64, tolerance: f64) -> bool {
+    error.is_nan() || tolerance.is_nan() || error > tolerance
+}
+
+fn summary(rows: Vec<Row>, cells: usize, mut failure: Option<String>) -> Validation {
+    let largest = |values: &mut dyn Iterator<Item = f64>| {
+        values.fold(0.0, |most: f64, next| if next > most || next.is_nan() { next } else { most })
+    };
+    let max_error = largest(&mut rows.iter().map(|row| row.error));
+    let mut tolerance = largest(&mut rows.iter().map(|row| row.tolerance));
+    let failing = rows.iter().filter(|row| fails(row.error, row.tolerance));
+    let worst = failing.max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)));
+    if let Some(row) = worst {
+        tolerance = row.tolerance;
+        let message =
+            format!("wave {}, branch {}: the multiplier is another", row.mode, row.branch);
+        failure.get_or_insert(message);
+    }
+    for row in &rows {
+        if let Some(run) = row.run.filter(|run| fails(run.error, run.tolerance)) {
+            let Run { steps, .. } = run;
+            let message = format!(
+                "wave {}, branch {}: the run of {steps} steps differs",
+                row.mode, row.branch
+            );
+            failure.get_or_insert(message);
+        }
+    }
+    let passed = failure.is_none();
+    Validation {
+        rows,
+        cells,
+        max_error,
+        tolerance,
+        tolerance_meaning: TOLERANCE_MEANING,
+        passed,
+        failure,
+    }
+}
