@@ -4,7 +4,9 @@ use courant_analysis::exact::rational::{Rational, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::catalogue::{self, SchemeFile};
 use courant_analysis::scheme::language::syntax::{Equations, Expression, Node};
-use courant_analysis::scheme::{Integrator, KernelLattice, SchemeError};
+use courant_analysis::scheme::{
+    Coefficient, Integrator, IntegratorForm, KernelLattice, Nystrom, SchemeError,
+};
 use courant_simulation::stepping::{
     NoisePlan, RingScheme, SteppingError, Validation, ValidationPlan, bracket_limit, noise_run,
     validate,
@@ -219,6 +221,48 @@ fn a_billionth_of_any_coefficient_is_seen() {
         }
     }
     assert!(changes > 900, "{changes}");
+}
+
+/// All coefficients of an integrator.
+fn coefficients(integrator: &mut Integrator) -> Vec<&mut Coefficient> {
+    match &mut integrator.form {
+        IntegratorForm::RungeKutta { a, b } => a.iter_mut().flatten().chain(b).collect(),
+        IntegratorForm::Multistep { alpha, beta } => alpha.iter_mut().chain(beta).collect(),
+        IntegratorForm::Nystrom(table) => {
+            let Nystrom { c, position, velocity, position_weights, velocity_weights } = table;
+            let tables = position.iter_mut().chain(velocity).flatten();
+            tables.chain(c).chain(position_weights).chain(velocity_weights).collect()
+        }
+    }
+}
+
+#[test]
+fn a_billionth_of_any_coefficient_of_an_integrator_is_seen() {
+    // Far from small steps, where late stages hardly count.
+    let space = Subject::new(catalogue::space("upwind-3").unwrap(), ratio(9, 4));
+    let waves = Subject::new(catalogue::method("sph-av").unwrap(), ratio(2, 7))
+        .with_kernel(Kernel::CubicSpline, ratio(6, 5));
+    let mut changes = 0;
+    for integrator in catalogue::integrators() {
+        let for_waves = matches!(integrator.form, IntegratorForm::Nystrom(_));
+        let subject = if for_waves { &waves } else { &space }.clone().with_integrator(integrator);
+        let predicted = subject.predicted().unwrap();
+        agrees(&subject, quick());
+        for place in 0..coefficients(&mut integrator.clone()).len() {
+            let mut wrong = integrator.clone();
+            let mut all = coefficients(&mut wrong);
+            if all[place].to_f64() == 0.0 {
+                continue;
+            }
+            let text = format!("({})*1000000001/1000000000", all[place].text());
+            *all[place] = Coefficient::parse(&text).unwrap();
+            let wrong = Subject { integrator: Some(wrong), ..subject.clone() };
+            let validation = validate(&wrong.ring().unwrap(), &predicted, quick()).unwrap();
+            assert!(!validation.passed, "{}: coefficient {place}", subject.name);
+            changes += 1;
+        }
+    }
+    assert!(changes > 250, "{changes}");
 }
 
 /// An explicit or implicit scheme of the catalogue at a value of its parameter.
