@@ -122,9 +122,7 @@ fn particle_methods_run_as_predicted_with_every_integrator() {
                 let subject = Subject::new(file, ratio(1, 3))
                     .with_kernel(kernel, ratio(6, 5))
                     .with_integrator(integrator);
-                if !matches!(subject.predicted(), Err(SchemeError::Text(_))) {
-                    agrees(&subject, plan);
-                }
+                agrees(&subject, plan);
             }
         }
     }
