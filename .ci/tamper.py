@@ -1,16 +1,22 @@
-"""Changes one place of a certificate at a time: python3 .ci/tamper.py FILE.json ...
+"""Changes one place of a certificate at a time: python3 .ci/tamper.py FILE.json ... [--program PATH]
 
 Takes the shortest certificate of each kind, proved and enclosed, stability and monotonicity; the files must have
-all four. At least one of the two checkers in docs has to refuse every change.
+all four. At least one of the two checkers in docs has to refuse every change, or what is left must prove the same: an
+interval may be covered in another way. Then everything malformed (analysis/src/certificate/malformed.json) has to be
+refused for its form or its content by the checkers, and by `PATH verify` if a program is given.
 """
 import copy
 import json
 import pathlib
+import subprocess
 import sys
+import tempfile
 from fractions import Fraction
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "docs"))
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "docs"))
+import certificate_form
 import verify_certificate
 import verify_coefficients
 
@@ -53,25 +59,54 @@ def changes(value):
 
 
 def is_refused(certificate):
-    for checker in (verify_certificate, verify_coefficients):
-        try:
-            checker.verify(certificate)
-        except (Exception, SystemExit):
-            return True
+    try:
+        certificate_form.CERTIFICATE(certificate)
+        verify_certificate.verify(certificate)
+        verify_coefficients.verify(certificate)
+    except (Exception, SystemExit):
+        return True
     return False
+
+
+def claim(certificate):
+    return [certificate[key] for key in ("subject", "question", "growth", "evidence", "interval")]
 
 
 def shortest_of_each_kind(paths):
     shortest = {}
     for path in paths:
         for certificate in json.loads(pathlib.Path(path).read_text())["certificates"]:
-            kind = f"{certificate['evidence']} {certificate['proof']['question']}"
+            kind = f"{certificate['evidence']} {certificate['question']}"
             known = shortest.get(kind, certificate)
             shortest[kind] = min(certificate, known, key=lambda each: len(json.dumps(each)))
     return shortest
 
 
-certificates = shortest_of_each_kind(sys.argv[1:])
+def malformed(certificate):
+    for change in json.loads((ROOT / "analysis/src/certificate/malformed.json").read_text()):
+        changed = copy.deepcopy(certificate)
+        *path, last = change["path"]
+        place = changed
+        for key in path:
+            place = place[key]
+        place[last] = change["value"]
+        yield change["name"], changed
+
+
+def refused_by(program, certificate):
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump({"schema": certificate_form.SCHEMA, "certificates": [certificate]}, file)
+        file.flush()
+        answer = subprocess.run([program, "verify", file.name], capture_output=True, timeout=60)
+    return answer.returncode in (1, 2)
+
+
+arguments, program = sys.argv[1:], None
+if "--program" in arguments:
+    place = arguments.index("--program")
+    program = arguments[place + 1]
+    del arguments[place:place + 2]
+certificates = shortest_of_each_kind(arguments)
 if len(certificates) < 4:
     sys.exit(f"only {', '.join(certificates)}")
 passed = False
@@ -80,12 +115,18 @@ for kind, certificate in certificates.items():
         sys.exit(f"{kind}: refused as it is")
     count = 0
     for place, changed in changes(certificate):
-        # Without a name it is about a scheme given by its coefficients, and still holds.
-        if place == "/subject" and changed["subject"] is None:
-            continue
         count += 1
-        if not is_refused(changed):
+        if not is_refused(changed) and claim(changed) != claim(certificate):
             passed = True
             print(f"{kind}: a change at {place} passes")
     print(f"{kind}: {count} changes")
+certificate, count = certificates["proved stability"], 0
+if program and refused_by(program, certificate):
+    sys.exit("refused by the program as it is")
+for name, changed in malformed(certificate):
+    count += 1
+    if not is_refused(changed) or program and not refused_by(program, changed):
+        passed = True
+        print(f"malformed: {name} passes")
+print(f"malformed: {count}")
 sys.exit(passed)

@@ -1,87 +1,129 @@
-"""Does each limit follow from the coefficients stated? python3 verify_certificate.py FILE.json ...
-In exact fractions; docs/proved.md explains it. Whose coefficients they are: verify_coefficients.py."""
-import json, math, sys
+"""Does each limit follow from the polynomials stated? python3 verify_certificate.py FILE.json ...
+
+In exact fractions; docs/proved.md explains it. Whose polynomials they are: verify_coefficients.py."""
 from fractions import Fraction as F
+from math import lcm
 
-def check(holds, otherwise): holds or sys.exit(f"refused: {otherwise}")
+from certificate_form import CERTIFICATE, check, main
 
-def value(p, x): return sum(c * x**i for i, c in enumerate(p))
+
+def value(p, x):
+    return sum(c * x**i for i, c in enumerate(p))
+
 
 def bernstein(p, a, b):
     # (d + du)^n p(x) in powers of u, where x = (a + bu)/(1 + u): if none is negative, nor is p from a to b.
-    d, result, power = math.lcm(a.denominator, b.denominator), [], [1]
+    d, result, power = lcm(a.denominator, b.denominator), [], [1]
     low, high = int(a*d), int(b*d)
     for c in reversed(p):
         result = [low*x + high*y + c*z for x, y, z in zip(result + [0], [0] + result, power)]
         power = [d*x + d*y for x, y in zip(power + [0], [0] + power)]
     return result
 
-def turns_negative(p, limit, to):  # between the two, which are close
-    return max(b := bernstein(p, limit, to)) <= 0 > min(b) and 0 < (to - limit) * 2**18 <= (limit or 1)
 
-def steps(parts, start, end):  # each part begins where the one before it ends
-    ends = [start, *(F(part["to"]) for part in parts)]
-    check((parts or not end) and ends[-1] == end and ends == sorted(set(ends)), "an interval is not covered")
-    return zip(parts, ends, ends[1:])
+def square(end):  # of a number such as 15/8 or sqrt(8/3)
+    return F(end[5:-1]) if end.startswith("sqrt") else F(end)**2
 
-def check_cover(rows, boxes, s_end, t0, t1):  # rows[j] is the polynomial in s that stands at t^j
-    for box, s0, s1 in steps(boxes, 0, s_end):
-        columns = zip(*(bernstein(row, s0, s1) for row in rows), strict=True)
-        table = zip(*(bernstein(column, t0, t1) for column in columns))
-        signs = ["".join("-0+"[(x > 0) - (x < 0) + 1] for x in line) for line in table]
-        check(F(box["from"]) == s0 and box["signs"] == signs and "-" not in str(signs), "a wrong box")
 
-def monotonicity(stencils, proof, lower, upper):
-    # c_k in powers of C, moved by its radii
-    def moved(k, sign): return [x + sign*r for x, r in (s.get(k, (0, 0)) for s in stencils)]
-    offsets = sorted(k for k in set().union(*stencils) if any(moved(k, 1) + moved(k, -1)))
-    check([x["offset"] for x in proof["coefficients"]] == (offsets if lower else []), "other offsets")
-    for x in proof["coefficients"]: check_cover([moved(x["offset"], -1)], x["boxes"], lower, 0, 1)
-    if upper is not None:
-        negative = [k for k in offsets if turns_negative(moved(k, 1), upper, F(proof["binding"]["to"]))]
-        check(proof["binding"]["offset"] == negative[0], "another coefficient turns negative first")
+def nowhere_negative(p):  # on [0, 1], by halving
+    pending, boxes = [(F(0), F(1))], 0
+    while pending:
+        a, b = pending.pop()
+        boxes += 1
+        check(boxes < 4096 and value(p, a) >= 0, "a weight is negative")
+        if min(bernstein(p, a, b)) < 0:
+            pending += [(a, (a + b)/2), ((a + b)/2, b)]
 
-def stability(stencils, proof, lower, upper):
-    m, growth, start = proof["margin"], F(proof["growth"]), F(proof["from"])
-    a, b, c, stride = (int(m[x]) for x in ("phase_power", "complement_power", "courant_power", "stride"))
-    rows, radius = [[int(x) for x in row] for row in m["coefficients"]], [int(r) for r in m["radius"]]
-    check(min(a, b, c, growth, start) >= 0 < F(m["denominator"]) and stride in (1, 2), "no margin")
-    def factor(s): return s**a * (1 - s)**b * value(map(F, m["neutral_waves"]), s)**2 / F(m["denominator"])
-    def at(s, sign): return [value(row, s) + sign*r for row, r in zip(rows, radius, strict=True)]
-    def g(z): return [sum(x * z**k for k, (x, _) in s.items()) for s in stencils]
-    # |g|^2 = g(z) g(1/z) for z = e^(i phi). Both sides are polynomials in s = (2 - z - 1/z)/4 and C: they are
-    # equal if they agree at more values of each than the degree, whatever the values are.
-    offsets, degree = set().union(*stencils), a + b + 2*len(m["neutral_waves"]) + max(map(len, rows))
-    for z in map(F, range(1, 2 + max(degree, max(offsets) - min(offsets)))):
-        wave, conjugate, s = g(z), g(1/z), (2 - z - 1/z) / 4
-        for courant in range(max(2*len(stencils), c + stride*len(rows))):
-            product = factor(s) * courant**c * value(at(s, 0), courant**stride)
-            check((1 + growth)**2 - value(wave, courant) * value(conjugate, courant) == product, "factors")
-    lowered = [[p[0] - r, *p[1:]] for p, r in zip(rows, radius)]
-    for piece, t0, t1 in steps(proof["pieces"], start, lower): check_cover(lowered, piece["boxes"], 1, t0, t1)
-    def grows(wave):
-        s, courant = F(wave["s"]), F(wave["courant_number"])
-        check(courant > 0 < s <= 1 and value(at(s, 1), courant**stride) < 0 < factor(s), "no growing wave")
-        return courant**stride
-    if start: check(0 < (start - grows(proof["below"])) * 2**18 <= start, "not just below the interval")
-    if upper is not None:
-        s, to = F(proof["unstable"]["s"]), grows(proof["unstable"]["witness"])
-        check(0 <= s <= 1 and turns_negative(at(s, 1), upper, to), "the wave at s does not grow throughout")
+
+class Inequality:
+    """s^a (1 - s)^b H(s)^2 C^c P(s, C^stride) >= 0, and with it Q(s, C)^2 W(s) times that."""
+
+    def __init__(self, stated):
+        m = stated["margin"]
+        self.a, self.b, self.stride = m["phase_power"], m["complement_power"], m["stride"]
+        self.weight, self.squared = list(map(F, stated["weight"])), [list(map(F, row)) for row in stated["square"]]
+        self.neutral, self.radius = list(map(F, m["neutral_waves"])), list(map(F, m["radius"]))
+        self.rows = [list(map(F, row)) for row in m["coefficients"]]
+        check(self.stride in (1, 2) and F(m["denominator"]) > 0 and min(self.radius) >= 0, "no margin")
+        check(len(self.radius) == len(self.rows) and len(set(map(len, self.rows))) == 1, "no rectangle")
+        check(all(x.denominator == 1 for row in [*self.rows, self.radius] for x in row), "no whole numbers")
+        self.rows = [list(map(int, row)) for row in self.rows]
+        self.radius = list(map(int, self.radius))
+        nowhere_negative(self.weight)
+
+    def at(self, s):  # P in powers of t at one wave, raised by the radii
+        return [value(row, s) + r for row, r in zip(self.rows, self.radius)]
+
+    def factor(self, s, courant):
+        q = sum(value(row, s) * courant**i for i, row in enumerate(self.squared))
+        trivial = s**self.a * (1 - s)**self.b * value(self.neutral, s)**2
+        return trivial * value(self.weight, s) * q**2 * courant
+
+    def holds(self, cover):
+        """Checks a cover; gives the squares of the values of C where it begins and ends."""
+        rows = [[row[0] - r, *row[1:]] for row, r in zip(self.rows, self.radius)]
+        check(any(map(any, rows)), "a polynomial that is zero says nothing")
+        begin = t0 = F(cover["begin"])
+        check(begin >= 0 and cover["pieces"], "an interval is not covered")
+        for piece in cover["pieces"]:
+            check(t0 is not None, "something beyond everything")
+            if piece["end"] == "inf":  # from t0 on: t^n P(1/t) from 0 to 1/t0
+                check(t0 > 0, "an interval is not covered")
+                t1, low, high, ordered = None, F(0), 1/t0, rows[::-1]
+            else:
+                low, high, ordered = t0, (t1 := F(piece["end"])), rows
+                check(low < high, "an interval is not covered")
+            ends = [F(0), *map(F, piece["waves"])]
+            check(ends[-1] == 1 and ends == sorted(set(ends)), "not all waves are covered")
+            for s0, s1 in zip(ends, ends[1:]):
+                columns = zip(*(bernstein(row, s0, s1) for row in ordered))
+                check(all(min(bernstein(column, low, high)) >= 0 for column in columns), "a box is not decided")
+            t0 = t1
+        to_c2 = (lambda t: t**2) if self.stride == 1 else (lambda t: t)
+        return to_c2(begin), t0 and to_c2(t0)
+
+    def grows(self, wave):
+        """The polynomial is negative at this wave and value, and no factor vanishes."""
+        s, courant = F(wave["s"]), F(wave["value"])
+        check(courant > 0 < s <= 1 and self.factor(s, courant) > 0 > value(self.at(s), courant**self.stride),
+              "no growing wave")
+        return courant**2
+
 
 def verify(certificate):
-    proof, limit = certificate["proof"], certificate["proof"]["limit"]
-    lower, upper = F(limit["lower"]), limit["upper"] and F(limit["upper"])
-    root = F(math.isqrt(lower.numerator), math.isqrt(lower.denominator))
-    squared = int(proof.get("margin", {"stride": 1})["stride"]) == 2
-    closed = str(lower) if not squared else str(root) if root**2 == lower else f"sqrt({lower})"
-    check(limit["courant_number"] == (closed if lower == upper else None), "not the closed form")
-    stencils = [dict(enumerate(zip(map(F, s["coefficients"]), map(F, s["radius"]), strict=True), s["lowest"]))
-                for s in certificate["symbol"]["stencils"]]
-    {"stability": stability, "monotonicity": monotonicity}[proof["question"]](stencils, proof, lower, upper)
+    inequalities = list(map(Inequality, certificate["inequalities"]))
+    interval = certificate["interval"]
+    growth, begin = F(certificate["growth"]), square(interval["begin"])
+    forever, upper = interval["lower"] == "inf", interval["upper"]
+    lower = None if forever else square(interval["lower"])
+    check(growth >= 0 and "-" not in interval["begin"] + interval["lower"] + (upper or ""), "a negative number")
+    check(forever or begin < lower or begin == lower == 0, "the interval ends before it begins")
+    # Stable in between.
+    check(len(certificate["covers"]) == (0 if lower == 0 else len(inequalities)), "a cover for each inequality")
+    for inequality, cover in zip(inequalities, certificate["covers"]):
+        low, high = inequality.holds(cover)
+        check(low <= begin and (high is None or not forever and lower <= high), "an interval is not covered")
+    # Not stable just below.
+    below, above = certificate["below"], certificate["above"]
+    check((below is None) == (begin == 0) and (above is None) == (upper is None), "an end comes with a reason")
+    if below is not None:
+        check(below["inequality"] < len(inequalities), "there is no such inequality")
+        gap = begin - inequalities[below["inequality"]].grows(below)
+        check(0 < gap * 2**16 <= begin, "not just below the interval")
+    # Not stable just above.
+    if above is not None:
+        check(not forever and upper != "inf", "above what?")
+        end, wave, s = square(upper), above["wave"], F(above["s"])
+        check(lower <= end and (end - lower) * 2**18 <= lower, "the ends of the limit are far apart")
+        check(wave["inequality"] < len(inequalities) and 0 <= s <= 1, "there is no such wave")
+        inequality = inequalities[wave["inequality"]]
+        gap = inequality.grows(wave) - end
+        check(0 < gap * 2**16 <= (end or 1), "not just above the limit")
+        check(inequality.stride == 2 or not upper.startswith("sqrt"), "t is no fraction")
+        t = end if inequality.stride == 2 else F(upper)
+        signs = bernstein(inequality.at(s), t, F(wave["value"])**inequality.stride)
+        check(max(signs) <= 0 > min(signs), "the wave at s does not grow throughout")
+
 
 if __name__ == "__main__":
-    for path in sys.argv[1:] or sys.exit(__doc__):
-        print(end=f"{path}: ", flush=True)
-        with open(path) as file: certificates = json.load(file)["certificates"]
-        for certificate in certificates: verify(certificate)
-        print(len(certificates), "limits follow from the coefficients stated")
+    main(verify, __doc__, "limits follow from the polynomials stated")

@@ -1,224 +1,467 @@
-"""Are the coefficients those of the scheme that is named? python3 verify_coefficients.py FILE.json ...
+"""Are the polynomials those of the scheme in the text? python3 verify_coefficients.py FILE.json ...
 
-A certificate states the stencils of a scheme and how far each number may be off. Here they are derived again
-from the names of scheme, kernel and ratio, and the radii are carried over to the polynomial that decides. The
-form of the file is checked as well: everything in it has one spelling. That the limits follow is for
-verify_certificate.py to say; docs/proved.md explains both.
+A certificate states a scheme as equations, a kernel, an integrator and values, and polynomials in s = (1 - cos phi)/2
+and the sought parameter C that must not be negative. Here these are derived again: the equations are read
+(scheme_text.py), completed by the integrator, the determinant chi(z) is taken, and the conditions of Schur and Cohn or
+Jury for its roots to lie in the unit disc (or, for monotonicity, its coefficients) are held against the certificate.
+That the limits follow is for verify_certificate.py to say; docs/proved.md explains both.
 """
-import json
-import re
-import sys
 from fractions import Fraction
-from itertools import zip_longest
-from math import ceil, isqrt
 
-# A polynomial kernel at q = distance / smoothing length: the sum of a (b - q)^p over (a, b, p) with b > q.
-TRUNCATED_POWERS = {
-    "cubic-spline": [(Fraction(a, 6), 2 - k, 3) for k, a in enumerate([1, -4])],
-    "quartic-spline": [(Fraction(a, 24), Fraction(5, 2) - k, 4) for k, a in enumerate([1, -5, 10])],
-    "quintic-spline": [(Fraction(a, 120), 3 - k, 5) for k, a in enumerate([1, -6, 15])],
-    # Wendland's functions in powers of 1 - q/2.
-    "wendland-c2": [(Fraction(5, 8) * a / 2**p, 2, p) for p, a in enumerate([4, -3], 3)],
-    "wendland-c4": [(Fraction(3, 4) * a / 2**p, 2, p) for p, a in enumerate([14, -21, 8], 5)],
-    "wendland-c6": [(Fraction(55, 64) * a / 2**p, 2, p) for p, a in enumerate([48, -108, 82, -21], 7)],
-}
-GAUSSIAN_SUPPORT = 3
-GAUSSIAN_ERROR = Fraction(1, 2**260)  # relative; `gaussian` is far closer
+from certificate_form import CERTIFICATE, check, main
+from scheme_text import BITS, ONE, Lattice, Letters, Parser, Poly, Reader, linear_equations, number, times, whole_row
+
+Z = Poly({(1, 0, 0, ()): 1})
 
 
-def check(holds, otherwise):
-    if not holds:
-        sys.exit(f"refused: {otherwise}")
+# Matrices are lists of rows.
+
+def without_units(matrix, columns):
+    """Solves equations for the unknowns `columns` where one stands with a number times powers of z and E; gives the
+    unknowns left. The determinant keeps its value up to such a factor."""
+    left, columns = list(range(len(matrix[0]))), list(columns)
+    while True:
+        units = [((sum(map(bool, row)) - 1) * sum(bool(other[left.index(c)]) for other in matrix), i, c)
+                 for i, row in enumerate(matrix) for c in columns if row[left.index(c)].is_unit()]
+        if not units:
+            return left
+        _, i, c = min(units)
+        place, pivot_row = left.index(c), matrix.pop(i)
+        for number_of_row, row in enumerate(matrix):
+            if row[place]:
+                new = [x*pivot_row[place] - row[place]*y for x, y in zip(row, pivot_row)]
+                matrix[number_of_row] = dict_row(new)
+        for row in matrix + [left]:
+            del row[place]
+        columns.remove(c)
+
+
+def dict_row(row):
+    """Without the number that all entries share."""
+    from math import gcd
+    common = gcd(*(value for poly in row for value in poly.values()))
+    return [Poly({key: value//common for key, value in poly.items()}) for poly in row] if common > 1 else row
+
+
+def determinant(matrix):
+    matrix = [list(row) for row in matrix]
+    if len(matrix) > 1:
+        without_units(matrix, range(len(matrix)))
+    check(len(matrix) <= 12, "a determinant is too large")
+    minors = {0: number(1)}  # by the set of columns, for as many rows from the top
+    for row in matrix:
+        new = {}
+        for columns, minor in minors.items():
+            for c, entry in enumerate(row):
+                if entry and not columns >> c & 1:
+                    odd = bin(columns >> c + 1).count("1") % 2
+                    term = entry*minor
+                    with_c = columns | 1 << c
+                    new[with_c] = new.get(with_c, Poly()) + (-term if odd else term)
+        minors = new
+    return minors.get((1 << len(matrix)) - 1, Poly())
+
+
+# The matrix of a scheme: one row for each equation, one column for each unknown.
+
+def matrix_of(rows, unknowns):
+    """Powers of z and E for the levels and offsets; a derivative counts as z."""
+    parity = {}
+    matrix = [[Poly() for _ in unknowns] for _ in rows]
+    for row, target in zip(rows, matrix):
+        for (unknown, time, space, derivative), poly in row.items():
+            own = (time or 0) % 2, space % 2
+            check(parity.setdefault(unknown, own) == own, "an unknown stands at whole and at half indices")
+            z = (time or 0) // 2 if time is not None else int(derivative)
+            target[unknown] = target[unknown] + poly.moved(z, space // 2)
+    return matrix
 
 
 def numbers(texts):
-    return [Fraction(text) for text in texts]
+    reader = Reader(None, {}, None, True)
+    found = []
+    for text in texts:
+        p, q = reader.evaluate(Parser(text).value()).get((None, None), (number(0), number(1)))
+        found.append((p, q))
+    return found
 
 
-def gaussian(x, one=2**320):
-    """exp(-x)/sqrt(pi) for 0 <= x <= 9, in steps of 1/one."""
-    total, term, n = 0, one, 0
-    while n <= 9 or abs(term) > 1:  # the exponential series
-        total += term
-        n += 1
-        term = -term * x.numerator // (x.denominator * n)
-
-    def arctan_of_inverse(m):
-        return sum((-1)**k * (one // (m**(2*k + 1) * (2*k + 1))) for k in range(130))
-
-    pi = 48*arctan_of_inverse(18) + 32*arctan_of_inverse(57) - 20*arctan_of_inverse(239)  # Gauss
-    return Fraction(total * isqrt(one**3 // pi), one**2)
+def weighted(pairs):
+    """The sum of entries times fractions of polynomials, as one fraction."""
+    from scheme_text import plus
+    total = Poly(), number(1)
+    for entry, (p, q) in pairs:
+        total = plus(total, (entry*p, q))
+    return total
 
 
-def weights(kernel, ratio):
-    """-W'(k)/l^2 for k >= 1 and W''(k)/l^3 for k >= 0 by lattice distance k, and their relative error."""
-    terms = TRUNCATED_POWERS.get(kernel)
-    check(terms or kernel == "gaussian", f"there is no kernel {kernel!r}")
-    check(0 < ratio <= 50, "the ratio is not in (0, 50]")
-    support = max(b for _, b, _ in terms) if terms else GAUSSIAN_SUPPORT
-    slopes, curvatures = {}, {}
-    for k in range(int(support * ratio) + 1):
-        q = k / ratio
-        if terms:
-            inside = [(a, b - q, p) for a, b, p in terms if b > q]
-            slope = sum(a * p * rest**(p - 1) for a, rest, p in inside)
-            curvature = sum(a * p * (p - 1) * rest**(p - 2) for a, rest, p in inside)
+def cleared(fractions):
+    """A row of fractions of polynomials times their denominators."""
+    denominators = []
+    for _, q in fractions:
+        if not q.is_number() and q not in denominators:
+            denominators.append(q)
+    row = {}
+    for column, (p, q) in enumerate(fractions):
+        for other in denominators:
+            p = p if other == q else p*other
+        row[column] = p if not q.is_number() else p.scaled(1 / Fraction(q[0, 0, 0, ()]))
+    whole = whole_row(row)
+    return [whole[column] for column in range(len(fractions))]
+
+
+def complete(matrix, unknowns, integrator):
+    """The matrix of M U' = L U with U' counted as z, completed by an integrator."""
+    derived = [c for c in range(len(unknowns)) if any(z for row in matrix for z, *_ in row[c])]
+    kept = without_units(matrix, [c for c in range(len(unknowns)) if c not in derived])
+    check(kept == derived, "an unknown without a derivative is not given by an equation")
+    part = [[entry.by_z() + [Poly(), Poly()] for entry in row] for row in matrix]
+    mass, rates = ([[sign*1 and entry[power].scaled(sign) for entry in row] for row in part] for power, sign in ((1, 1), (0, -1)))
+    (kind, table), size = next(iter(integrator.items())), len(derived)
+    one, one_minus_z = (number(1), number(1)), number(1) - Z
+    if kind == "multistep":
+        alpha, beta = numbers(table["alpha"]), numbers(table["beta"])
+        check(len(alpha) == len(beta) >= 2, "as many alpha as beta")
+        return [cleared([weighted([(m.moved(k), a) for k, a in enumerate(alpha)] + [(-l.moved(k), b) for k, b in enumerate(beta)])
+                         for m, l in zip(mass[i], rates[i])]) for i in range(size)]
+    if kind == "runge-kutta":
+        b, a = numbers(table["b"]), [numbers(row) for row in table["A"]]
+        stages = len(b)
+        check(stages == len(a) > 0 and all(len(row) <= stages for row in a), "no Butcher table")
+        if size == 1:
+            # One number lambda = L/M enters, here in the place of C.
+            operator, none = Poly({(0, 0, 1, ()): 1}), number(0)
+            mass, rates, ring = [[number(1)]], [[operator]], (mass[0][0], rates[0][0])
+        zero = [(Poly(), number(1))]
+        rows = []
+        for u in range(size):
+            row = zero * (size*(stages + 1))
+            row[u] = weighted([(-one_minus_z, one)])
+            for i in range(stages):
+                row[size*(i + 1) + u] = weighted([(number(-1), b[i])])
+            rows.append(cleared(row))
+        for i in range(stages):
+            for equation in range(size):
+                row = zero * (size*(stages + 1))
+                for u in range(size):
+                    m, l = mass[equation][u], -rates[equation][u]
+                    row[u] = l, number(1)
+                    for j in range(stages):
+                        entry = a[i][j] if j < len(a[i]) else (Poly(), number(1))
+                        row[size*(j + 1) + u] = weighted([(m, one)] * (i == j) + [(l, entry)])
+                rows.append(cleared(row))
+        if size > 1:
+            return rows
+        whole, (m, l), total = determinant(rows), ring, Poly()
+        degree = max(c for _, _, c, _ in whole)
+        powers = {}
+        for (z, e, c, letters), value in whole.items():
+            if c not in powers:
+                powers[c] = l**c * m**(degree - c)
+            total = total + Poly({(z, e, 0, letters): value}) * powers[c]
+        return [[total]]
+    # Positions and velocities: x' = v, M v' = F x + D v.
+    check(size == 2, "positions and velocities are two unknowns")
+    found = [(row, x) for row, x in ((0, 0), (1, 1), (0, 1), (1, 0))
+             if not mass[row][1 - x] and not rates[row][x] and not mass[1 - row][x]
+             and mass[row][x] == rates[row][1 - x] and len(mass[row][x]) == 1]
+    check(found, "no equation x' = v")
+    (row, x), c = found[0], numbers(table["c"])
+    v, dynamic, stages = 1 - x, 1 - row, len(c)
+    inertia, force, drag = mass[dynamic][v], -rates[dynamic][x], -rates[dynamic][v]
+    rows = []
+    for unknown, weights in ((x, "position_weights"), (v, "velocity_weights")):
+        weights = numbers(table[weights])
+        check(len(weights) == stages, "as many weights as stages")
+        line = [(Poly(), number(1))] * 2 + [weighted([(number(-1), w)]) for w in weights]
+        line[unknown] = -one_minus_z, number(1)
+        if unknown == x:
+            line[v] = number(-1), number(1)
+        rows.append(cleared(line))
+    check(len(table["position"]) == len(table["velocity"]) == stages, "as many rows as stages")
+    for i in range(stages):
+        p, q = numbers(table["position"][i]), numbers(table["velocity"][i])
+        line = [(Poly(), number(1))] * (2 + stages)
+        line[x] = force, number(1)
+        line[v] = weighted([(force, c[i]), (drag, one)])
+        for j in range(stages):
+            parts = [(inertia, one)] if i == j else []
+            parts += [(entry, row[j]) for entry, row in ((force, p), (drag, q)) if j < len(row)]
+            line[2 + j] = weighted(parts)
+        rows.append(cleared(line))
+    return rows
+
+
+def characteristic(subject, wave):
+    """chi(z) = [coefficient of z^0, ...] of the scheme."""
+    Letters.all, Letters.known = [], {}
+    lattice = subject["kernel"] and Lattice(subject["kernel"])
+    values = {name: Fraction(value) for name, value in subject["values"].items()}
+    check(subject["parameter"] not in values, "the sought parameter has a value")
+    reader = Reader(subject["parameter"], values, lattice, wave)
+    rows = linear_equations(subject["equations"], reader)
+    of_lines = {place[1] is None for row in rows for place in row}
+    check(of_lines == {subject["integrator"] is not None}, "an integrator completes the method of lines, and nothing else")
+    matrix = matrix_of(rows, reader.unknowns)
+    if subject["integrator"] is not None:
+        matrix = complete(matrix, reader.unknowns, subject["integrator"])
+    chi = determinant(matrix)
+    check(chi, "the determinant vanishes")
+    coefficients = chi.primitive().moved(-min(z for z, *_ in chi)).by_z()
+    check(len(coefficients) > 1, "nothing is advanced in time")
+    return coefficients
+
+
+# Conditions: [(level, name, polynomial)].
+
+def proportional(p, q):
+    return len(p) == len(q) and all(p[-1]*b == q[-1]*a for a, b in zip(p, q))
+
+
+def reversed_conjugate(p):
+    return [coefficient.conjugate() for coefficient in reversed(p)]
+
+
+def product(p, q):
+    result = [Poly() for _ in range(len(p) + len(q) - 1)]
+    for i, a in enumerate(p):
+        for j, b in enumerate(q):
+            result[i + j] = result[i + j] + a*b
+    return result
+
+
+def polynomial_in_z(text, parameter):
+    reader = Reader(parameter, {}, None, True)
+    reader.names.update(z=Z, E=Poly({(0, 1, 0, ()): 1}))
+    p, q = reader.evaluate(Parser(text).value()).get((None, None), (Poly(), number(1)))
+    check(p and q.is_number(), "a factor is no polynomial")
+    return p.scaled(1 / Fraction(q[0, 0, 0, ()])).without_denominators()[0].by_z()
+
+
+def conditions(p, certificate):
+    """Where they are not negative, and none vanishes identically, all roots lie in the closed disc."""
+    growth, level = Fraction(certificate["growth"]) + 1, 0
+    degree = len(p) - 1
+    p = [c.scaled(growth.numerator**m * growth.denominator**(degree - m)) for m, c in enumerate(p)]
+    while len(p) > 1:
+        check(level < len(certificate["levels"]), "a level is missing")
+        stated = certificate["levels"][level]
+        if stated["split"]:
+            inside, circle = (polynomial_in_z(stated["split"][part], certificate["subject"]["parameter"]) for part in ("inside", "circle"))
+            check(proportional(p, product(inside, circle)), "the factors do not multiply to chi")
+            check(proportional(circle, reversed_conjugate(circle)), "a factor is not self-inversive")
+        elif proportional(p, reversed_conjugate(p)):
+            inside, circle = [number(1)], p
         else:
-            shape = gaussian(q * q)
-            slope, curvature = 2*q*shape, (4*q*q - 2)*shape
-        if k > 0:
-            slopes[k] = slope / ratio**2
-        curvatures[k] = curvature / ratio**3
-    return slopes, curvatures, Fraction(0) if terms else GAUSSIAN_ERROR
+            inside, circle = p, [number(1)]
+        if len(inside) > 1:
+            yield from ((level, *each) for each in {"jury": jury, "schur-cohn": schur_cohn}[stated["rule"]](inside))
+        # Cohn: the roots of a self-inversive polynomial lie on the circle where those of its derivative lie in the disc.
+        p, level = [c.scaled(m) for m, c in enumerate(circle)][1:], level + 1
+    check(level == len(certificate["levels"]), "there are fewer levels")
 
 
-def derived_stencils(scheme, kernel, ratio):
-    """By power of C: {offset: (coefficient, error)}, and the errors of the even and of the odd part."""
-    w, v, slack = weights(kernel, ratio)
-    total = sum(w.values())
-    one = {0: (Fraction(1), Fraction(0))}
-    if scheme == "godunov-sph":
-        upwind = {0: (-2*total, 2*total*slack)}
-        upwind.update({-k: (2*x, 2*x*slack) for k, x in w.items()})
-        return [one, upwind], [0, 4*total*slack], [0, 2*total*slack]
-    central = {sign*k: (-sign*x, x*slack) for k, x in w.items() for sign in (1, -1)}
-    if scheme == "euler-sph":
-        return [one, central], [0, 0], [0, 2*total*slack]
-    check(scheme == "lax-wendroff-sph", f"there is no scheme {scheme!r}")
-    second = {sign*k: (x/2, abs(x)/2*slack) for k, x in v.items() for sign in (1, -1)}
-    return [one, central, second], [0, 0, sum(e for _, e in second.values())], [0, 2*total*slack, 0]
+def schur_cohn(a):
+    degree = len(a) - 1
+    bar = [coefficient.conjugate() for coefficient in a]
+
+    def entry(i, j):
+        total = Poly()
+        for k in range(min(i, j) + 1):
+            total = total + a[degree - i + k]*bar[degree - j + k] - bar[i - k]*a[j - k]
+        return total
+    for size in range(1, degree + 1):
+        yield f"minor-{size}", determinant_whole([[entry(i, j) for j in range(size)] for i in range(size)])
 
 
-def check_stencils(certificate):
-    """The three kinds of radii agree, evidence and keeps_constants follow; gives stencils and radii."""
-    symbol = certificate["symbol"]
-    even, odd = numbers(symbol["even_radius"]), numbers(symbol["odd_radius"])
-    check(len(even) == len(odd) == len(symbol["stencils"]) > 0, "a symbol has two radii for each power of C")
-    stencils = []
-    for stencil, e, o in zip(symbol["stencils"], even, odd):
-        values, radii = numbers(stencil["coefficients"]), numbers(stencil["radius"])
-        check(len(values) == len(radii), "a stencil has a radius for each coefficient")
-        check(all(0 <= radius <= e + o for radius in radii) and 0 <= e <= sum(radii) and 0 <= o <= sum(radii),
-              "the radii of a stencil contradict each other")
-        stencils.append(dict(enumerate(zip(values, radii), stencil["lowest"])))
-    exact = not any(even + odd)
-    check(certificate["evidence"] == ("proved" if exact else "enclosed"), "the radii give other evidence")
-    sums = [sum(value for value, _ in stencil.values()) for stencil in stencils]
-    kept = sums == [1] + [0] * (len(sums) - 1)
-    # Coefficients that are enclosed may miss a constant that their midpoints keep.
-    check(symbol["keeps_constants"] is kept or kept and not exact, "keeps_constants is stated wrongly")
-    return stencils, even, odd
+def determinant_whole(matrix):
+    """Without dropping units: their sign matters here."""
+    total = Poly()
+    if len(matrix) == 1:
+        return matrix[0][0]
+    for c, entry in enumerate(matrix[0]):
+        if entry:
+            minor = determinant_whole([row[:c] + row[c + 1:] for row in matrix[1:]])
+            total = total + (entry*minor).scaled((-1)**c)
+    return total
 
 
-def check_names(subject, keeps_constants, stencils, even, odd):
-    """Every derived coefficient is within its stated radius, and so are the even and the odd part."""
-    derived, even_errors, odd_errors = derived_stencils(
-        subject["scheme"], subject["kernel"], Fraction(subject["ratio"]))
-    if subject["kernel"] == "gaussian":
-        kept = subject["scheme"] != "lax-wendroff-sph"
-        check(keeps_constants is kept, "keeps_constants is stated wrongly")
-    # A scheme without neighbours has fewer powers of C than its formula.
-    columns = zip_longest(stencils, derived, even, odd, even_errors, odd_errors)
-    for stated, expected, even_radius, odd_radius, even_error, odd_error in columns:
-        stated, expected = stated or {}, expected or {}
-        offsets = {sign*k for k in [*stated, *expected] for sign in (1, -1)}
-        gap = {k: stated.get(k, (0, 0))[0] - expected.get(k, (0, 0))[0] for k in offsets}
-        for k in offsets:
-            check(abs(gap[k]) + expected.get(k, (0, 0))[1] <= stated.get(k, (0, 0))[1],
-                  "a coefficient is not that of the named scheme")
-        even_gap = sum((abs(gap[k] + gap[-k]) for k in offsets), Fraction(0)) / 2
-        odd_gap = sum((abs(gap[k] - gap[-k]) for k in offsets), Fraction(0)) / 2
-        check(even_gap + (even_error or 0) <= (even_radius or 0), "the even part is not that of the scheme")
-        check(odd_gap + (odd_error or 0) <= (odd_radius or 0), "the odd part is not that of the scheme")
+def jury(a):
+    degree, leading = len(a) - 1, a[-1]
+    low, high = (end(e for _, e, *_ in leading) for end in (min, max))
+    check((low + high) % 2 == 0, "the coefficients are not real")
+    a = [coefficient.moved(0, -(low + high)//2) for coefficient in a]
+    check(all(coefficient == coefficient.conjugate() for coefficient in a), "the coefficients are not real")
+    leading = a[-1]
+    for name, sign in (("plus-one", 1), ("minus-one", -1)):
+        total = Poly()
+        for m, coefficient in enumerate(a):
+            total = total + coefficient.scaled(sign**m)
+        yield name, (total*leading).scaled(sign**degree)
+    size = degree - 1
+    for sign in (1, -1):
+        for margin in range((size + 1)//2):
+            if size == 1 and sign == 1:
+                continue  # half the sum of the first two
+            inner = range(margin, size - margin)
+
+            def entry(i, j):
+                upper = a[degree - (j - i)] if j >= i else Poly()
+                return upper + a[i + j + 1 - size].scaled(sign) if i + j + 1 >= size else upper
+            value = determinant_whole([[entry(i, j) for j in inner] for i in inner])
+            yield f"inner-{len(inner)}{'+' if sign == 1 else '-'}", value*leading if len(inner) % 2 else value
 
 
-def check_radii_of_margin(margin, growth, keeps_constants, stencils, even, odd):
-    """How far (1 + growth)^2 - |g|^2 may be off by power of C, and so the polynomial that is left of it."""
-    # |g|^2 is the square of the even part plus the square of the odd part; |ab - a'b'| <= |a|r + |b|q + qr.
-    errors = [Fraction(0)] * (2*len(stencils) - 1)
-    for sign, radii in ((1, even), (-1, odd)):
-        sizes = []
-        for stencil in stencils:
-            values = {k: value for k, (value, _) in stencil.items()}
-            offsets = {s*k for k in values for s in (1, -1)}
-            parts = (abs(values.get(k, 0) + sign*values.get(-k, 0)) for k in offsets)
-            sizes.append(sum(parts, Fraction(0)) / 2)
-        for i, r in enumerate(radii):
-            for j, q in enumerate(radii):
-                errors[i + j] += sizes[i]*q + sizes[j]*r + r*q
-    if any(even + odd):
-        # Only a factor that the true coefficients have too may be taken out: the s of kept constants.
-        taken_out = margin["complement_power"] > 0 or len(margin["neutral_waves"]) > 1
-        check(not taken_out and margin["phase_power"] <= (keeps_constants and growth == 0),
-              "a factor was taken out that the true scheme need not have")
-    # Dividing by s divides 1 - cos k phi, which is at most 2 k^2 s.
-    offsets = [k for stencil in stencils for k in stencil]
-    stretch = 2*(max(offsets) - min(offsets))**2 if margin["phase_power"] else 1
-    first, stride = margin["courant_power"], margin["stride"]
-    stated = {first + stride*j: Fraction(radius) for j, radius in enumerate(margin["radius"])}
-    for power, error in enumerate(errors):
-        check(stated.get(power, 0) == ceil(error * Fraction(margin["denominator"])) * stretch,
-              "the radii of the polynomial do not follow from those of the coefficients")
+def coefficients(p):
+    """Of an explicit step for one unknown between two levels, by offset."""
+    check(len(p) == 2 and p[1].is_unit(), "not explicit, or not of one level")
+    (_, shift, *_), unit = next(iter(p[1].items()))  # its size is the same positive factor for all
+    by_offset = {}
+    for (_, e, c, letters), value in p[0].items():
+        by_offset.setdefault(e - shift, Poly())[0, 0, c, letters] = -value if unit > 0 else value
+    for offset in sorted(by_offset):
+        yield 0, f"coefficient {offset}", by_offset[offset]
 
 
-def check_form_of_margin(margin, unstable):
-    """Whole numbers in a rectangle, and no freedom where the polynomial leaves some."""
-    rows, h = [numbers(row) for row in margin["coefficients"]], numbers(margin["neutral_waves"])
-    powers = [margin[key] for key in ("phase_power", "complement_power", "courant_power", "stride")]
-    check(all(type(power) is int and power >= 0 for power in powers), "a power is not a natural number")
-    whole = sum(rows, numbers(margin["radius"])) + numbers([margin["denominator"]])
-    check(all(x.denominator == 1 for x in whole), "the polynomial is not written in whole numbers")
-    check(len({len(row) for row in rows}) == 1, "the rows of the polynomial differ in length")
-    check(margin["stride"] == 1 or len(rows) > 1, "a single row has no stride")
-    check(unstable is None or len(rows[0]) > 1 or unstable["s"] == "0", "s plays no role")
-    check(h and h[-1] > 0, "of H and -H, whose squares agree, the one with a positive leading coefficient")
-    trivial = sum(powers) == margin["stride"] and h == [1] and margin["denominator"] == "1"
-    check(any(map(any, rows)) or trivial, "a polynomial that is zero has no factors")
+# Comparison with the polynomials stated.
+
+def over(series, root):
+    """A symmetric series in E divided by s = -(E - 1)^2/(4E) for the root 1, by 1 - s = (E + 1)^2/(4E) for -1."""
+    for _ in range(2):
+        quotient, carry = [], 0
+        for value in series:
+            carry = value + root*carry
+            quotient.append(carry)
+        check(quotient.pop() == 0, "a factor does not divide")
+        series = [root*value for value in quotient]
+    return [4*root*-value for value in series] if root == 1 else [4*-root*value for value in series]
 
 
-def check_spelling(value, key=None):
-    """Every number that is text is in lowest terms, wherever it stands."""
-    if isinstance(value, dict):
-        for key, entry in value.items():
-            check_spelling(entry, key)
-    elif isinstance(value, list):
-        for entry in value:
-            check_spelling(entry, key)
-    elif isinstance(value, str) and key != "signs" and not re.fullmatch(r"[a-z][a-z0-9-]*|sqrt\(.*\)", value):
-        check(str(Fraction(value)) == value, f"{value!r} is not a number in lowest terms")
+def in_powers_of_s(series):
+    """[.., x_-1, x_0, x_1, ..] with cos m phi = T_m(1 - 2s)."""
+    middle = len(series) // 2
+    result, before, current = [0] * (middle + 1), [1, -2], [1]
+    for m in range(middle + 1):
+        for i, value in enumerate(current):
+            result[i] += value * series[middle + m] * (2 if m else 1)
+        following = [2*a - 4*b for a, b in zip(current + [0], [0] + current)]
+        before, current = current, [a - b for a, b in zip(following, before + [0] * len(following))]
+    return result
 
 
-def check_form(proof):
-    """The limit is tight, and what may be absent is absent exactly where there is nothing to say."""
-    limit, stability = proof["limit"], proof["question"] == "stability"
-    if limit["upper"] is not None:
-        lower, upper = numbers([limit["lower"], limit["upper"]])
-        check(0 <= upper - lower <= lower / 2**20, "the ends of the limit are far apart")
-    reason = proof["unstable" if stability else "binding"]
-    check((reason is None) == (limit["upper"] is None), "an upper end comes with a reason")
-    if stability:
-        check((proof["below"] is None) == (proof["from"] == "0"), "a beginning above 0 comes with a reason")
-        check_form_of_margin(proof["margin"], reason)
+def in_powers_of_e(row):
+    """A polynomial in s as a symmetric series."""
+    series = [Fraction(0)]
+    for value in reversed(row):  # s = (2 - E - 1/E)/4
+        wide = [0, 0] + series + [0, 0]
+        series = [(2*wide[i] - wide[i - 1] - wide[i + 1])/4 for i in range(1, len(wide) - 1)]
+        series[len(series)//2] += value
+    return series
+
+
+def groups_of(poly):
+    """Symmetric series of whole numbers or fractions by power of C and letters."""
+    groups, reach = {}, max((abs(e) for _, e, *_ in poly), default=0)
+    for (_, e, c, letters), value in poly.items():
+        groups.setdefault((c, letters), [0] * (2*reach + 1))[reach + e] = value
+    check(all(series == series[::-1] for series in groups.values()), "not a real function of the wave")
+    return groups
+
+
+def stated_rows(stated):
+    """The polynomials in s by power of C that a margin stands for, all factors in."""
+    def multiply(p, q):
+        result = [Fraction(0)] * (len(p) + len(q) - 1)
+        for i, a in enumerate(p):
+            for j, b in enumerate(q):
+                result[i + j] += a*b
+        return result
+    def add(rows, power, row):
+        known = rows.get(power, [])
+        longer, shorter = (known, row) if len(known) > len(row) else (row, known)
+        rows[power] = [a + b for a, b in zip(longer, shorter + [0] * len(longer))]
+    m, factor = stated["margin"], list(map(Fraction, stated["weight"]))
+    neutral = list(map(Fraction, m["neutral_waves"]))
+    check(neutral and neutral[-1] > 0 and Fraction(m["denominator"]) > 0, "H begins with a positive number")
+    factor = multiply(multiply(factor, neutral), neutral)
+    for _ in range(m["complement_power"]):
+        factor = multiply(factor, [1, -1])
+    factor = [Fraction(0)] * m["phase_power"] + [value / Fraction(m["denominator"]) for value in factor]
+    rows, squares = {}, {}
+    for j, row in enumerate(m["coefficients"]):
+        add(rows, m["courant_power"] + m["stride"]*j, multiply(factor, list(map(Fraction, row))))
+    q = [list(map(Fraction, row)) for row in stated["square"]]
+    if q == [[1]]:
+        return rows
+    for i, a in enumerate(q):
+        for j, b in enumerate(q):
+            add(squares, i + j, multiply(a, b))
+    result = {}
+    for i, a in squares.items():
+        for j, b in rows.items():
+            add(result, i + j, multiply(a, b))
+    return result
+
+
+def compare(poly, stated):
+    """The condition derived is Q^2 W s^a (1 - s)^b H^2 C^c P within the radii; gives whether it is known exactly."""
+    poly = poly.without_denominators()
+    (poly, common), m = poly, stated["margin"]
+    groups = groups_of(poly)
+    radius = list(map(Fraction, m["radius"]))
+    if not any(letters for _, letters in groups):
+        rows = stated_rows(stated)
+        check(not any(radius), "what is exact needs no radius")
+        for power in {*rows, *(c for c, _ in groups)}:
+            derived = [Fraction(x, common) for x in in_powers_of_s(groups.get((power, ()), [0]))]
+            given = rows.get(power, [])
+            length = max(len(derived), len(given))
+            check(derived + [0] * (length - len(derived)) == given + [0] * (length - len(given)),
+                  "a polynomial is not that of the scheme")
+        return True
+    trivial = stated["square"] == [["1"]] and stated["weight"] == ["1"] and m["neutral_waves"] == ["1"]
+    check(trivial, "a factor was taken out that the true scheme need not have")
+    sums = {}
+    for (c, letters), series in groups.items():
+        for root, power in ((1, m["phase_power"]), (-1, m["complement_power"])):
+            for _ in range(power):
+                series = over(series, root)
+        term = [value << BITS for value in series], 0
+        for letter, power in letters:
+            for _ in range(power):
+                term = times(term, (Letters.all[letter].values, Letters.all[letter].error))
+        values, error = sums.get(c, ([0], 0))
+        sums[c] = added(values, term[0]), error + term[1]
+    for power in {*sums, *(m["courant_power"] + m["stride"]*j for j in range(len(radius)))}:
+        j, remainder = divmod(power - m["courant_power"], m["stride"])
+        there = remainder == 0 <= j < len(radius)
+        given = in_powers_of_e(list(map(Fraction, m["coefficients"][j]))) if there else [Fraction(0)]
+        values, error = sums.get(power, ([0], 0))
+        values = [Fraction(value, common*ONE) for value in values]
+        given = [-value/Fraction(m["denominator"]) for value in given]
+        distance = sum(map(abs, added(values, given))) + Fraction(error, common*ONE)
+        allowed = (radius[j] if there else 0) / Fraction(m["denominator"])
+        check(distance <= allowed, "a polynomial is not that of the scheme within its radius")
+    return False
+
+
+def added(a, b):
+    a, b = (a, b) if len(a) >= len(b) else (b, a)
+    gap = (len(a) - len(b)) // 2
+    return [x + (b[i - gap] if 0 <= i - gap < len(b) else 0) for i, x in enumerate(a)]
 
 
 def verify(certificate):
-    subject, proof, symbol = certificate["subject"], certificate["proof"], certificate["symbol"]
-    check_spelling(certificate)
-    check_form(proof)
-    radii = check_stencils(certificate)
-    if subject is not None:
-        check_names(subject, symbol["keeps_constants"], *radii)
-    if proof["question"] == "stability":
-        check_radii_of_margin(proof["margin"], Fraction(proof["growth"]), symbol["keeps_constants"], *radii)
+    stability = certificate["question"] == "stability"
+    chi = characteristic(certificate["subject"], stability)
+    check(stability or certificate["growth"] == "0" and not certificate["levels"], "no growth and no level here")
+    derived = list(conditions(chi, certificate) if stability else coefficients(chi))
+    stated = certificate["inequalities"]
+    check([(level, name) for level, name, _ in derived] == [(x["level"], x["condition"]) for x in stated],
+          "the conditions are others")
+    exact = [compare(poly, each) for (_, _, poly), each in zip(derived, stated)]
+    check(certificate["evidence"] == ("proved" if all(exact) else "enclosed"), "the radii give other evidence")
 
 
 if __name__ == "__main__":
-    for path in sys.argv[1:] or sys.exit(__doc__):
-        print(end=f"{path}: ", flush=True)
-        with open(path) as file:
-            content = json.load(file)
-        certificates = content["certificates"]
-        check(content["schema"] == "courant.certificate/1" and certificates, "no certificates in it")
-        for certificate in certificates:
-            verify(certificate)
-        print(len(certificates), "certificates state the coefficients of the schemes they name")
+    main(verify, __doc__, "certificates state the polynomials of the schemes they name")

@@ -3,11 +3,11 @@
 //! Two cores of a virtual machine, one used: Table 1 8 ms; ratio 50 7.5 ms (Godunov SPH) and 0.35 s (Lax–Wendroff SPH); a limit with its
 //! polynomial 0.9 ms at ratio 5/2 and 5.8 ms at 41/10.
 
-use courant_analysis::certificate::{certify_stability, verify};
+use courant_analysis::certificate::{Subject, certify, verify};
 use courant_analysis::exact::rational::{integer, ratio};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-use courant_analysis::stability::{monotonicity_limit, stable_set};
+use courant_analysis::scheme::{AdvectionScheme, Discretisation, KernelLattice, Scheme, catalogue};
+use courant_analysis::stability::{SearchPlan, monotonicity_limit, stable_set};
 use criterion::Criterion;
 use std::hint::black_box;
 
@@ -49,12 +49,15 @@ fn limits(criterion: &mut Criterion) {
             bencher.iter(|| stable_set(black_box(&symbol), &zero, &max));
         });
     }
-    let of = scheme(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, 10);
-    let symbol = of.symbol();
+    let lattice = KernelLattice::new(Kernel::CubicSpline, &integer(10)).expect("a ratio of 10");
+    let file = catalogue::scheme("lax-wendroff-sph").expect("it is in the catalogue");
+    let step = file.step(Some(&lattice), None, &[], Some("C")).expect("a scheme");
+    let subject = Subject::new(&file.equations.text, Some(&lattice), None, &step, "C");
+    let (subject, plan) = (subject.expect("a known kernel"), SearchPlan::default());
     group.bench_function("certify, lax-wendroff-sph, cubic, ratio 10", |bencher| {
-        bencher.iter(|| certify_stability(black_box(&symbol), Some(&of), &zero, &max));
+        bencher.iter(|| certify(black_box(&subject), &step, &plan));
     });
-    let certificates = certify_stability(&symbol, Some(&of), &zero, &max).expect("decided");
+    let certificates = certify(&subject, &step, &plan).expect("decided");
     group.bench_function("verify, lax-wendroff-sph, cubic, ratio 10", |bencher| {
         bencher.iter(|| certificates.iter().map(verify).collect::<Vec<_>>());
     });

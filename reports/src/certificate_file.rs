@@ -1,4 +1,4 @@
-//! Files of certificates: `{"schema": "courant.certificate/1", "certificates": […]}`.
+//! Files of certificates: `{"schema": "courant.certificate/2", "certificates": […]}`.
 
 use crate::publish::{PublishError, write_whole};
 use courant_analysis::certificate::{Certificate, CertificateError, Verified, verify};
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// The name and version of the format.
-pub const SCHEMA: &str = "courant.certificate/1";
+pub const SCHEMA: &str = "courant.certificate/2";
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -99,28 +99,26 @@ pub fn verify_file(path: &Path) -> Result<Vec<Verified>, CertificateFileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_analysis::certificate::certify_stability;
-    use courant_analysis::exact::rational::integer;
-    use courant_analysis::kernel::Kernel;
-    use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use courant_analysis::certificate::{Subject, certify};
+    use courant_analysis::scheme::Step;
+    use courant_analysis::stability::SearchPlan;
 
     #[test]
     fn what_is_written_is_read_and_holds_until_it_is_changed() {
-        let scheme =
-            Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
-        let scheme = scheme.unwrap();
-        let certificates =
-            certify_stability(&scheme.symbol(), Some(&scheme), &integer(0), &integer(30)).unwrap();
+        let text = "u[n+1,j] = u[n,j] - 8*C/15*(u[n,j] - u[n,j-1])";
+        let step = Step::from_text(text).unwrap();
+        let subject = Subject::new(text, None, None, &step, "C").unwrap();
+        let certificates = certify(&subject, &step, &SearchPlan::default()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("limits.json");
         write(&path, &certificates).unwrap();
         assert_eq!(read(&path).unwrap(), certificates);
-        assert!(verify_file(&path).unwrap()[0].statement.contains("15/8"));
+        assert!(verify_file(&path).unwrap()[0].statement.contains("C = 15/8"));
 
         let text = std::fs::read_to_string(&path).unwrap();
         std::fs::write(&path, text.replace("15/8", "19/10")).unwrap();
         assert!(matches!(verify_file(&path), Err(CertificateFileError::Refused { .. })));
-        std::fs::write(&path, text.replace("certificate/1", "certificate/2")).unwrap();
+        std::fs::write(&path, text.replace("certificate/2", "certificate/1")).unwrap();
         assert!(matches!(read(&path), Err(CertificateFileError::OtherSchema(_))));
         std::fs::write(&path, &text[..text.len() / 2]).unwrap();
         assert!(matches!(read(&path), Err(CertificateFileError::Malformed { .. })));

@@ -1,33 +1,49 @@
 //! Certificates: a limit together with everything needed to check it without trusting this program.
 //!
-//! A certificate states the scheme, the polynomial that decides, a cover of all waves by intervals with
-//! the signs of the Bernstein coefficients above each, and a wave that grows just above the limit.
-//! [`verify`] recomputes all of it from the names alone, by plain means and with code of its own;
+//! A certificate states the scheme as it was typed, the polynomials that must not be negative, for each a cover of all waves by
+//! intervals above which no Bernstein coefficient is negative, and a wave that grows just above the limit.
+//! [`verify`] derives the polynomials again from the text, with a parser and an algebra of its own, and recomputes every sign;
 //! `docs/verify_certificate.py` and `docs/verify_coefficients.py` do the same in another language.
 
+mod derive;
 mod number;
 mod prove;
+mod statement;
 mod verify;
 
-pub use number::Exact;
-pub use prove::{CertificationError, certify_monotonicity, certify_stability};
+pub use number::{End, Exact};
+pub use prove::{CertificationError, certify, certify_monotonicity, certify_stability};
+pub use statement::{IntegratorStatement, KernelStatement, Subject};
 pub use verify::{CertificateError, Verified, verify};
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// A limit and its proof.
+/// An interval in which a property holds, and its proof.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Certificate {
-    /// The scheme by name; `None` for one that is given by its coefficients alone.
-    #[serde(deserialize_with = "stated")]
-    pub subject: Option<Subject>,
-    /// `proved` when the coefficients are exact, `enclosed` when they have radii.
+    /// The scheme.
+    pub subject: Subject,
+    /// What is claimed of it.
+    pub question: Question,
+    /// The permitted growth per step.
+    pub growth: Exact,
+    /// `proved` when all polynomials are exact, `enclosed` when one has a radius.
     pub evidence: String,
-    /// The coefficients of the scheme.
-    pub symbol: CertifiedSymbol,
-    /// What is claimed of it, and why it holds.
-    pub proof: Proof,
+    /// How the conditions are derived; none for monotonicity.
+    pub levels: Vec<Level>,
+    /// What must not be negative.
+    pub inequalities: Vec<StatedInequality>,
+    /// Where it is not.
+    pub interval: Interval,
+    /// A wave that grows just below the interval; `None` when it begins at 0.
+    #[serde(deserialize_with = "stated")]
+    pub below: Option<GrowingWave>,
+    /// For each inequality why it holds in the interval; empty when the limit is 0.
+    pub covers: Vec<Cover>,
+    /// Why the property is lost; `None` when the interval reaches the end of the range looked at.
+    #[serde(deserialize_with = "stated")]
+    pub above: Option<LossClaim>,
 }
 
 /// An entry that must be there even when it is null.
@@ -37,79 +53,64 @@ fn stated<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     Option::deserialize(source)
 }
 
-/// A scheme of the catalogue: a checker derives its coefficients from these three names.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Subject {
-    /// Such as `godunov-sph`.
-    pub scheme: String,
-    /// Such as `cubic-spline`.
-    pub kernel: String,
-    /// The smoothing ratio `l/Δξ`.
-    pub ratio: Exact,
-}
-
-/// `g(φ) = Σ_j C^j Σ_k c_{j,k} e^{ikφ}`, and how far the true coefficients may be from these.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CertifiedSymbol {
-    /// One stencil for each power of `C`.
-    pub stencils: Vec<CertifiedStencil>,
-    /// For each power of `C` a bound on `Σ_k |error of (c_k + c_{−k})/2|`.
-    pub even_radius: Vec<Exact>,
-    /// For each power of `C` a bound on `Σ_k |error of (c_k − c_{−k})/2|`.
-    pub odd_radius: Vec<Exact>,
-    /// Whether `g(0) = 1` at every Courant number, for the true coefficients.
-    pub keeps_constants: bool,
-}
-
-/// The coefficients of one power of `C`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CertifiedStencil {
-    /// The offset of the first coefficient.
-    pub lowest: i64,
-    /// The coefficients from there on.
-    pub coefficients: Vec<Exact>,
-    /// How far each may be from the true one.
-    pub radius: Vec<Exact>,
-}
-
 /// What is claimed.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(tag = "question", rename_all = "kebab-case")]
-pub enum Proof {
-    /// `|g| ≤ 1 + growth`.
-    Stability(Box<StabilityProof>),
-    /// Every coefficient is at least zero.
-    Monotonicity(Box<MonotonicityProof>),
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Question {
+    /// All multipliers have `|z| ≤ 1 + growth`.
+    Stability,
+    /// No coefficient of the explicit one-step scheme is negative.
+    Monotonicity,
 }
 
-/// `|g| ≤ 1 + growth` for all waves while `from ≤ t ≤ limit.lower`, and not just above `limit.upper`;
-/// here and below `t = C^stride`.
+/// One polynomial in `z` whose roots are asked about: `χ` first, then the derivative of each part with its roots on the circle.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct StabilityProof {
-    /// The permitted growth per step.
-    pub growth: Exact,
-    /// The polynomial that decides.
-    pub margin: FactoredMargin,
-    /// Where the stable interval begins, in `t`.
-    pub from: Exact,
-    /// A growing wave just below the beginning; `None` when the interval begins at 0.
+pub struct Level {
+    /// The conditions that are used.
+    pub rule: Rule,
+    /// The factors; `None` where the whole polynomial is self-inversive or none of it is to be split off.
     #[serde(deserialize_with = "stated")]
-    pub below: Option<GrowingWave>,
-    /// Where it ends.
-    pub limit: CertifiedLimit,
-    /// The interval of `t` piece by piece; empty when the limit is 0.
-    pub pieces: Vec<CertifiedPiece>,
-    /// Why stability is lost; `None` when the interval reaches the end of the range looked at.
-    #[serde(deserialize_with = "stated")]
-    pub unstable: Option<UnstableClaim>,
+    pub split: Option<Split>,
 }
 
-/// `(1 + growth)² − |g|² = s^phase_power (1 − s)^complement_power H(s)² C^courant_power Σ_j t^j p_j(s)`
-/// with `s = (1 − cos φ)/2`.
+/// The conditions for all roots to lie in the closed disc.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rule {
+    /// `χ(±1)` and the inner determinants, for coefficients that are real on every wave.
+    Jury,
+    /// The leading minors of the Schur–Cohn matrix.
+    SchurCohn,
+}
+
+/// A polynomial as a product, up to a factor without `z`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Split {
+    /// `h`, a polynomial in `z`, `E` and the parameter.
+    pub inside: String,
+    /// `f`, self-inversive: its roots lie on the circle or in pairs `z, 1/z̄`.
+    pub circle: String,
+}
+
+/// A condition: the polynomial derived is `Q(s, C)² W(s)` times the margin, and `W` is not negative.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StatedInequality {
+    /// The number of its level.
+    pub level: usize,
+    /// Which of its conditions: `plus-one`, `minus-one`, `inner-2+`, `minor-1`; `coefficient -3` for monotonicity.
+    pub condition: String,
+    /// `Q`: for each power of `C` the powers of `s`.
+    pub square: Vec<Vec<Exact>>,
+    /// `W` in powers of `s`.
+    pub weight: Vec<Exact>,
+    /// The polynomial that decides, with its factors.
+    pub margin: FactoredMargin,
+}
+
+/// `s^phase_power (1 − s)^complement_power H(s)² C^courant_power Σ_j t^j p_j(s)` with `s = (1 − cos φ)/2` and `t = C^stride`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FactoredMargin {
@@ -131,96 +132,60 @@ pub struct FactoredMargin {
     pub radius: Vec<Exact>,
 }
 
-/// The end of the interval in `t`: nothing is claimed strictly between the two numbers.
+/// The interval of the parameter: nothing is claimed strictly between `lower` and `upper`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct CertifiedLimit {
-    /// Holds up to here.
-    pub lower: Exact,
-    /// Lost above here; `None` when the range looked at ends at `lower`.
-    #[serde(deserialize_with = "stated")]
-    pub upper: Option<Exact>,
-    /// The limit on `C` in closed form when the two agree, such as `15/8` or `sqrt(8/3)`.
-    #[serde(deserialize_with = "stated")]
-    pub courant_number: Option<String>,
-}
-
-/// A piece of the stable interval: it begins where the one before it ends.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CertifiedPiece {
-    /// Where it ends, in `t`; the last one at `limit.lower`.
-    pub to: Exact,
-    /// A cover of `0 ≤ s ≤ 1` without a negative Bernstein coefficient.
-    pub boxes: Vec<CertifiedBox>,
-}
-
-/// An interval of `s` (or of `C`, for monotonicity) with the signs of the Bernstein coefficients above it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CertifiedBox {
+pub struct Interval {
     /// Where it begins.
-    pub from: Exact,
-    /// Where it ends.
-    pub to: Exact,
-    /// For each Bernstein index in `t` a string with `+` or `0` for each index in `s`; for monotonicity
-    /// a single string.
-    pub signs: Vec<String>,
+    pub begin: End,
+    /// The property holds up to here.
+    pub lower: End,
+    /// It is lost above here; `None` when nothing is claimed beyond `lower`, or there is nothing beyond.
+    #[serde(deserialize_with = "stated")]
+    pub upper: Option<End>,
 }
 
-/// A wave that grows at one Courant number.
+/// Why one inequality holds throughout the interval.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cover {
+    /// Where the first piece begins, in `t`.
+    pub begin: Exact,
+    /// The interval of `t` piece by piece, each from the end of the one before.
+    pub pieces: Vec<Piece>,
+}
+
+/// A piece of an interval of `t`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Piece {
+    /// Where it ends, in `t`; `inf` for all that is beyond.
+    pub end: End,
+    /// The ends of the boxes that cover `0 ≤ s ≤ 1`: above none is a Bernstein coefficient negative.
+    pub waves: Vec<Exact>,
+}
+
+/// A wave that grows.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GrowingWave {
+    /// The number of the inequality that it violates.
+    pub inequality: usize,
     /// `0 < s ≤ 1`.
     pub s: Exact,
-    /// The Courant number.
-    pub courant_number: Exact,
+    /// The value of the parameter.
+    pub value: Exact,
 }
 
-/// Why stability is lost at the limit.
+/// Why the property is lost at the limit.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct UnstableClaim {
-    /// At this `s` the polynomial is negative for `limit.upper < t < witness.courant_number^stride`: its
-    /// Bernstein coefficients in `t` are at most zero and not all zero.
+pub struct LossClaim {
+    /// At this `s` the polynomial is negative above `upper`, as far as the value of the wave below: its Bernstein coefficients in `t` are at
+    /// most zero and not all zero.
     pub s: Exact,
     /// A wave that grows just above the limit: one point to check by hand.
-    pub witness: GrowingWave,
-}
-
-/// Every coefficient is at least zero while `0 ≤ C ≤ limit.lower`, and one is not just above
-/// `limit.upper`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct MonotonicityProof {
-    /// The end of the interval, in `C`.
-    pub limit: CertifiedLimit,
-    /// Every offset whose coefficient is not identically zero; empty when the limit is 0.
-    pub coefficients: Vec<CertifiedCoefficient>,
-    /// The coefficient that turns negative.
-    #[serde(deserialize_with = "stated")]
-    pub binding: Option<BindingCoefficient>,
-}
-
-/// Why one coefficient is not negative.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CertifiedCoefficient {
-    /// The offset `k` of `c_k`.
-    pub offset: i64,
-    /// A cover of `0 ≤ C ≤ limit.lower` without a negative Bernstein coefficient.
-    pub boxes: Vec<CertifiedBox>,
-}
-
-/// The coefficient that turns negative at the limit: the one of lowest offset, if there are several.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct BindingCoefficient {
-    /// Its offset.
-    pub offset: i64,
-    /// It is negative for `limit.upper < C < to`.
-    pub to: Exact,
+    pub wave: GrowingWave,
 }
 
 #[cfg(test)]

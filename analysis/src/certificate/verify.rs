@@ -1,17 +1,18 @@
-//! The checker: recomputes a certificate from its names by the plainest means.
+//! The checker: derives the polynomials of a certificate again from its text, and recomputes every sign by the plainest means.
 //!
-//! It shares nothing with the search but fractions of big integers: kernels are sums of truncated
-//! powers, `|g|²` is multiplied out term by term in powers of `s`, and Bernstein coefficients come from
-//! substituting the interval. Slow and short is the point.
+//! It shares nothing with the search but fractions of big integers: the text is read by a [parser of its own](super::derive), products
+//! are multiplied out term by term in powers of `s`, and Bernstein coefficients come from substituting the interval. Slow and short is
+//! the point.
 
 mod arithmetic;
-mod margin;
-mod monotonicity;
-mod stability;
-mod subject;
+pub(super) mod compare;
+mod form;
+mod inequality;
 
-use super::{Certificate, CertifiedLimit, CertifiedSymbol, Exact, Proof};
-use crate::exact::rational::{Rational, integer};
+use super::derive::Characteristic;
+use super::{Certificate, End, Question};
+use crate::exact::rational::Rational;
+use inequality::Checked;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 use thiserror::Error;
@@ -30,7 +31,7 @@ pub struct Verified {
 #[error("{0}")]
 pub struct CertificateError(pub String);
 
-fn ensure(holds: bool, otherwise: &str) -> Result<(), CertificateError> {
+pub(super) fn ensure(holds: bool, otherwise: &str) -> Result<(), CertificateError> {
     if holds { Ok(()) } else { Err(CertificateError(otherwise.into())) }
 }
 
@@ -39,133 +40,128 @@ fn ensure(holds: bool, otherwise: &str) -> Result<(), CertificateError> {
 /// # Errors
 /// Names the first part that does not hold.
 pub fn verify(certificate: &Certificate) -> Result<Verified, CertificateError> {
-    let symbol = &certificate.symbol;
-    check_symbol(symbol)?;
-    let exact = is_exact(symbol);
-    let word = if exact { "proved" } else { "enclosed" };
-    ensure(certificate.evidence == word, "the evidence is not the one the radii give")?;
-    let mut name = String::from("the scheme with the given coefficients");
-    if let Some(subject) = &certificate.subject {
-        subject::check(subject, symbol)?;
-        name = format!(
-            "{} with {} at ratio {}",
-            subject.scheme,
-            subject.kernel,
-            text(&subject.ratio.0)
-        );
-    }
-    let (property, boxes, limit, stride) = match &certificate.proof {
-        Proof::Stability(proof) => {
-            let boxes = stability::check_stability(symbol, proof)?;
-            let property = format!("|g| <= 1 + {} for all waves", text(&proof.growth.0));
-            (property, boxes, &proof.limit, proof.margin.stride)
+    form::check(certificate)?;
+    check_polynomials(certificate)?;
+    let boxes = check_interval(certificate)?;
+    let (interval, parameter) = (&certificate.interval, &certificate.subject.parameter);
+    let property = match certificate.question {
+        Question::Stability => format!("|z| <= 1 + {} for all waves", certificate.growth.0),
+        Question::Monotonicity => "no coefficient is negative".into(),
+    };
+    let begin = match interval.begin.square() {
+        Some(zero) if zero.is_zero() => String::new(),
+        _ => format!("from {parameter} = {} ", interval.begin),
+    };
+    let end = match &interval.upper {
+        _ if interval.lower == End::Infinity => "without end".into(),
+        None => format!("at least up to {parameter} = {}", interval.lower),
+        Some(upper) if *upper == interval.lower => {
+            format!("up to {parameter} = {upper} and not just above")
         }
-        Proof::Monotonicity(proof) => {
-            let boxes = monotonicity::check_monotonicity(symbol, proof)?;
-            ("no coefficient is negative".to_owned(), boxes, &proof.limit, 1)
+        Some(upper) => {
+            format!("up to {parameter} = {} and not above {upper}", interval.lower)
         }
     };
-    let variable = if stride == 1 { "C".to_owned() } else { format!("C^{stride}") };
-    let begin = match &certificate.proof {
-        Proof::Stability(proof) if !proof.from.0.is_zero() => {
-            format!("from {variable} = {} ", text(&proof.from.0))
-        }
-        _ => String::new(),
-    };
-    let end = match (&limit.courant_number, &limit.upper) {
-        (Some(exact), _) => format!("up to C = {exact} and not just above"),
-        (None, Some(upper)) => {
-            format!("up to {variable} = {} and not above {}", text(&limit.lower.0), text(&upper.0))
-        }
-        (None, None) => format!("at least up to {variable} = {}", text(&limit.lower.0)),
-    };
+    let name = certificate.subject.name();
     Ok(Verified { statement: format!("{name}: {property} {begin}{end}"), boxes })
 }
 
-fn text(value: &Rational) -> String {
-    value.to_string()
-}
-
-fn values(list: &[Exact]) -> Vec<Rational> {
-    list.iter().map(|value| value.0.clone()).collect()
-}
-
-fn is_exact(symbol: &CertifiedSymbol) -> bool {
-    let radii = symbol.stencils.iter().flat_map(|stencil| &stencil.radius);
-    radii.chain(&symbol.even_radius).chain(&symbol.odd_radius).all(|radius| radius.0.is_zero())
-}
-
-fn coefficient(list: &[Exact], lowest: i64, offset: i64) -> Rational {
-    let index = usize::try_from(offset - lowest).ok();
-    index.and_then(|index| list.get(index)).map_or_else(Rational::zero, |value| value.0.clone())
-}
-
-/// Shapes, signs of radii, and that the three kinds of radii agree with each other.
-fn check_symbol(symbol: &CertifiedSymbol) -> Result<(), CertificateError> {
-    let powers = symbol.stencils.len();
-    ensure((1..=64).contains(&powers), "a symbol has a stencil for each power of C")?;
-    ensure(
-        symbol.even_radius.len() == powers && symbol.odd_radius.len() == powers,
-        "a symbol has two radii for each power of C",
-    )?;
-    for (power, stencil) in symbol.stencils.iter().enumerate() {
-        ensure(
-            stencil.coefficients.len() == stencil.radius.len()
-                && stencil.radius.len() <= 1000
-                && stencil.lowest.abs() <= 1000,
-            "a stencil has a radius for each coefficient",
-        )?;
-        let (even, odd) = (&symbol.even_radius[power].0, &symbol.odd_radius[power].0);
-        let total: Rational = stencil.radius.iter().map(|radius| &radius.0).sum();
-        let consistent =
-            stencil.radius.iter().all(|radius| !radius.0.is_negative() && radius.0 <= even + odd)
-                && !even.is_negative()
-                && !odd.is_negative()
-                && *even <= total
-                && *odd <= total;
-        ensure(consistent, "the radii of a stencil contradict each other")?;
+/// Whether the polynomials stated are those of the scheme.
+fn check_polynomials(certificate: &Certificate) -> Result<(), CertificateError> {
+    let stability = certificate.question == Question::Stability;
+    let chi = Characteristic::new(&certificate.subject, stability)?;
+    let (growth, levels) = (&certificate.growth.0, &certificate.levels);
+    let derived = if stability {
+        chi.conditions(&certificate.subject, growth, levels)?
+    } else {
+        ensure(growth.is_zero() && levels.is_empty(), "no growth and no level here")?;
+        chi.monotonicity()?
+    };
+    let stated = &certificate.inequalities;
+    let same = derived.len() == stated.len()
+        && derived.iter().zip(stated).all(|(derived, stated)| {
+            (derived.level, &derived.condition) == (stated.level, &stated.condition)
+        });
+    ensure(same, "the conditions are others")?;
+    let mut all_exact = true;
+    for (derived, stated) in derived.iter().zip(stated) {
+        all_exact &= compare::compare(&derived.polynomial, &chi.letters, stated)?;
     }
-    let mut moments = symbol.stencils.iter().enumerate().map(|(power, stencil)| {
-        let sum: Rational = stencil.coefficients.iter().map(|value| &value.0).sum();
-        sum == integer(i64::from(power == 0))
-    });
-    let center_keeps_constants = moments.all(|one| one);
-    ensure(
-        center_keeps_constants || !symbol.keeps_constants,
-        "the coefficients do not keep a constant",
-    )?;
-    ensure(
-        symbol.keeps_constants == center_keeps_constants || !is_exact(symbol),
-        "the coefficients do keep a constant",
-    )
+    let word = if all_exact { "proved" } else { "enclosed" };
+    ensure(certificate.evidence == word, "the evidence is not the one the radii give")
 }
 
-/// The end is stated consistently, and tightly.
-fn check_limit(limit: &CertifiedLimit, stride: usize) -> Result<(), CertificateError> {
-    let lower = &limit.lower.0;
-    ensure(!lower.is_negative(), "the limit is negative")?;
-    let Some(upper) = limit.upper.as_ref().map(|upper| &upper.0) else {
-        return ensure(limit.courant_number.is_none(), "there is no limit to write down");
+/// Whether the interval follows from the polynomials; how many boxes it took.
+fn check_interval(certificate: &Certificate) -> Result<usize, CertificateError> {
+    let inequalities = certificate.inequalities.iter().map(Checked::new);
+    let inequalities = inequalities.collect::<Result<Vec<_>, _>>()?;
+    let inequality = |number: usize| {
+        inequalities
+            .get(number)
+            .ok_or_else(|| CertificateError("there is no such inequality".into()))
+    };
+    let interval = &certificate.interval;
+    let negative = |end: &End| matches!(end, End::Fraction(value) if value.is_negative());
+    let ends = [Some(&interval.begin), Some(&interval.lower), interval.upper.as_ref()];
+    ensure(
+        !certificate.growth.0.is_negative() && !ends.into_iter().flatten().any(negative),
+        "a negative number",
+    )?;
+    let begin = interval.begin.square();
+    let begin = begin.ok_or_else(|| CertificateError("an interval begins somewhere".into()))?;
+    let lower = interval.lower.square();
+    let nothing = lower.as_ref().is_some_and(Zero::is_zero);
+    ensure(
+        lower.as_ref().is_none_or(|lower| begin < *lower || nothing && begin.is_zero()),
+        "the interval ends before it begins",
+    )?;
+    let covers = if nothing { 0 } else { inequalities.len() };
+    ensure(certificate.covers.len() == covers, "a cover for each inequality")?;
+    let mut boxes = 0;
+    for (inequality, cover) in inequalities.iter().zip(&certificate.covers) {
+        let (low, high) = inequality.holds(cover)?;
+        let reaches = match (&lower, &high) {
+            (_, None) => true,
+            (None, Some(_)) => false,
+            (Some(lower), Some(high)) => lower <= high,
+        };
+        ensure(low <= begin && reaches, "an interval is not covered")?;
+        boxes += cover.pieces.iter().map(|piece| piece.waves.len()).sum::<usize>();
+    }
+    match &certificate.below {
+        None => ensure(begin.is_zero(), "the interval begins above 0 without a reason")?,
+        Some(wave) => {
+            let gap = &begin - inequality(wave.inequality)?.grows(wave)?;
+            let near = gap.is_positive() && gap <= &begin * nearness(16);
+            ensure(near, "the first wave is not just below the interval")?;
+        }
+    }
+    let Some(claim) = &certificate.above else {
+        ensure(interval.upper.is_none(), "an upper end comes with a growing wave")?;
+        return Ok(boxes);
+    };
+    let upper = interval.upper.as_ref().and_then(|upper| Some((upper, upper.square()?)));
+    let (Some((upper, square)), Some(lower)) = (upper, lower) else {
+        return Err(CertificateError("a growing wave comes with an upper end".into()));
     };
     ensure(
-        lower <= upper && upper - lower <= lower * nearness(20),
+        lower <= square && &square - &lower <= &lower * nearness(18),
         "the ends of the limit are far apart",
     )?;
-    if lower < upper {
-        return ensure(limit.courant_number.is_none(), "an enclosed limit has no closed form");
-    }
-    let fraction = (stride == 1).then(|| lower.clone()).or_else(|| square_root(lower));
-    let expected =
-        fraction.map_or_else(|| format!("sqrt({})", text(lower)), |fraction| text(&fraction));
-    ensure(
-        limit.courant_number.as_deref() == Some(expected.as_str()),
-        "the closed form is not that of the limit",
-    )
-}
-
-fn square_root(square: &Rational) -> Option<Rational> {
-    let root = Rational::new(square.numer().sqrt(), square.denom().sqrt());
-    (&root * &root == *square).then_some(root)
+    let inequality = inequality(claim.wave.inequality)?;
+    let gap = inequality.grows(&claim.wave)? - &square;
+    let scale = if square.is_zero() { Rational::one() } else { square.clone() };
+    let near = gap.is_positive() && gap <= scale * nearness(16);
+    ensure(near, "the wave is not just above the limit")?;
+    let t = match upper {
+        End::Fraction(value) if inequality.stride == 1 => value.clone(),
+        _ => {
+            ensure(inequality.stride == 2, "t is no fraction")?;
+            square
+        }
+    };
+    inequality.turns_negative(&claim.s.0, &t, &claim.wave.value.0)?;
+    Ok(boxes)
 }
 
 fn nearness(bits: u32) -> Rational {

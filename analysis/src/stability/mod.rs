@@ -23,6 +23,7 @@ pub use conditions::{Condition, Conditions, Requirement};
 pub use decision::{Demands, SearchPlan, decide_step_at};
 pub use inequality::Inequality;
 pub use limit::{Binding, Cause, Evidence, ExactValue, Limit};
+#[cfg(test)]
 pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
 pub use pointwise::{PointVerdict, decide_at};

@@ -9,9 +9,7 @@ use super::output::{Format, print, print_json};
 use super::subject::{KernelDefaults, Kind, Sought, Subject, SubjectOptions};
 use super::{Failure, Outcome, numbers};
 use clap::Args;
-use courant::analysis::certificate::{
-    Certificate, CertificationError, certify_monotonicity, certify_stability,
-};
+use courant::analysis::certificate::{self, Certificate, certify_monotonicity, certify_stability};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 use courant::analysis::stability::{
@@ -45,7 +43,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::digits)]
     digits: Option<usize>,
     /// Also write a certificate of every limit to this file; `courant verify` checks it.
-    #[arg(long, value_name = "FILE.json", conflicts_with_all = ["samples", "method"])]
+    #[arg(long, value_name = "FILE.json", conflicts_with = "samples")]
     certificate: Option<PathBuf>,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]
@@ -179,25 +177,36 @@ fn write_certificates(
     let certified: Result<Vec<Vec<Certificate>>, Failure> = answers
         .par_iter()
         .map(|answer| {
-            let name = &answer.subject.file.name;
-            let failed = |error: CertificationError| {
-                Failure::Message(format!("--certificate: {name}: {error}"))
+            let (subject, sought) = (&answer.subject, &answer.sought);
+            let failed = |error: String| {
+                Failure::Message(format!("--certificate: {}: {error}", subject.file.name))
             };
-            let scheme = discretisation(&answer.subject).ok_or_else(|| {
-                Failure::Message(format!("--certificate: {name} is not certified yet"))
-            })?;
-            let range = arguments.search.plan(&answer.subject).max;
-            let symbol = scheme.symbol();
+            let lattice = subject.lattice()?;
+            let stated = certificate::Subject::new(
+                &subject.file.equations.text,
+                lattice.as_ref(),
+                subject.integrator.as_deref(),
+                &sought.step,
+                &sought.parameter,
+            );
+            let stated = stated.ok_or_else(|| failed("its kernel has no name".into()))?;
+            let plan = arguments.search.plan(subject);
             let zero = Rational::zero();
             let budgets =
                 std::iter::once(&zero).chain(answer.growth.iter().map(|(growth, _)| growth));
             let mut certificates = Vec::new();
             for growth in budgets {
-                let found = certify_stability(&symbol, Some(&scheme), growth, &range);
-                certificates.extend(found.map_err(failed)?);
+                let plan = plan.clone().growing(growth.clone());
+                let set = sought.step.stable_set(&sought.parameter, &plan);
+                let set = set.map_err(|error| failed(error.to_string()))?;
+                let found = certify_stability(&stated, &set, &plan);
+                certificates.extend(found.map_err(|error| failed(error.to_string()))?);
             }
-            let found = certify_monotonicity(&symbol, Some(&scheme), &range);
-            certificates.push(found.map_err(failed)?);
+            let monotone = sought.step.monotone_set(&sought.parameter, &plan);
+            if let Some(set) = monotone.map_err(|error| failed(error.to_string()))? {
+                let found = certify_monotonicity(&stated, &set, &plan.max);
+                certificates.extend(found.map_err(|error| failed(error.to_string()))?);
+            }
             Ok(certificates)
         })
         .collect();

@@ -1,30 +1,9 @@
 //! The few operations on polynomials that checking takes.
 
-use super::super::CertifiedBox;
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
-
-/// Whether the boxes follow each other from one end to the other.
-pub(super) fn covers(boxes: &[CertifiedBox], from: &Rational, to: &Rational) -> bool {
-    let mut reached = from.clone();
-    for each in boxes {
-        if each.from.0 != reached || each.to.0 <= reached {
-            return false;
-        }
-        reached = each.to.0.clone();
-    }
-    reached == *to && !boxes.is_empty()
-}
-
-pub(super) fn sign(value: &BigInt) -> char {
-    match value.sign() {
-        num_bigint::Sign::Plus => '+',
-        num_bigint::Sign::NoSign => '0',
-        num_bigint::Sign::Minus => '-',
-    }
-}
 
 pub(super) fn product(left: &[Rational], right: &[Rational]) -> Vec<Rational> {
     let mut result = vec![Rational::zero(); (left.len() + right.len()).saturating_sub(1)];
@@ -34,11 +13,6 @@ pub(super) fn product(left: &[Rational], right: &[Rational]) -> Vec<Rational> {
         }
     }
     result
-}
-
-pub(super) fn whole_numbers(values: &[Rational]) -> Vec<BigInt> {
-    let common = values.iter().fold(BigInt::one(), |all, value| all.lcm(value.denom()));
-    values.iter().map(|value| value.numer() * (&common / value.denom())).collect()
 }
 
 /// Positive multiples of the Bernstein coefficients of `Σ_i a_i x^i` on `[from, to]`: substitute
@@ -69,4 +43,9 @@ pub(super) fn bernstein(values: &[BigInt], from: &Rational, to: &Rational) -> Ve
         *result.last_mut().expect("one was just pushed") += value;
     }
     result
+}
+
+/// The value at a point.
+pub(super) fn value(polynomial: &[Rational], x: &Rational) -> Rational {
+    polynomial.iter().rev().fold(Rational::zero(), |sum, value| sum * x + value)
 }
