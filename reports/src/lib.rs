@@ -17,6 +17,7 @@ pub mod number;
 pub mod page;
 pub mod particle_profile;
 pub mod particle_validation;
+pub mod plane_map;
 pub mod publish;
 pub mod record;
 pub mod run_record;

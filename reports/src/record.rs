@@ -1,11 +1,8 @@
 //! Results as the JSON objects that scripts rely on. The keys are a contract: add, do not rename.
 
 use crate::number::{finite, significant};
-use courant_analysis::exact::rational::{to_f64, to_latex, to_text};
-use courant_analysis::scheme::{Discretisation, Scheme};
-use courant_analysis::stability::verdict::Check;
+use courant_analysis::exact::rational::to_latex;
 use courant_analysis::stability::{Evidence, Limit, StableSet};
-use courant_analysis::waves::consistency::consistency;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -42,7 +39,7 @@ pub struct SubjectRecord {
     /// The number of space dimensions.
     pub dimension: usize,
     /// The parameter in question.
-    pub parameter: String,
+    pub parameter: Option<String>,
     /// The values of the others, exactly.
     pub parameters: BTreeMap<String, String>,
 }
@@ -132,12 +129,6 @@ impl LimitRecord {
                 }
             }),
         }
-    }
-}
-
-impl From<&Limit> for LimitRecord {
-    fn from(limit: &Limit) -> Self {
-        Self::new(limit, "C", None)
     }
 }
 
@@ -261,124 +252,96 @@ pub fn undecided(set: &StableSet) -> Vec<IntervalRecord> {
 /// The answer of `check`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CheckRecord {
-    /// The scheme's name.
-    pub scheme: String,
-    /// The kernel's name.
-    pub kernel: String,
-    /// The smoothing ratio, exactly.
-    pub ratio: String,
-    /// The Courant number, rounded.
+    /// What was judged.
+    #[serde(flatten)]
+    pub subject: SubjectRecord,
+    /// The value of the parameter, rounded.
     pub cfl: f64,
-    /// `stable`, `marginal`, `weakly-unstable` or `unstable`.
+    /// `stable`, `marginal`, `weakly-unstable`, `unstable` or `undecided`.
     pub verdict: &'static str,
-    /// Whether all coefficients are non-negative.
-    pub monotone: bool,
-    /// The largest `|g|` over all phases.
-    pub max_gain: f64,
+    /// Whether all coefficients are non-negative; nothing where that is not asked or not decided.
+    pub monotone: Option<bool>,
+    /// The largest `|z|` over all waves.
+    pub max_gain: Option<f64>,
     /// The phase of the wave that grows, or of the one that binds the limit, in radians.
     pub critical_phase: Option<f64>,
-    /// `max |g| − 1`.
-    pub growth_per_step: f64,
+    /// `max |z| − 1`.
+    pub growth_per_step: Option<f64>,
+    /// Why it is `null`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub growth_reason: Option<&'static str>,
     /// Steps until the fastest wave has doubled.
     pub steps_to_double: Option<f64>,
+    /// Whether the growth is within what was accepted: `yes`, `no` or `undecided`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub within_growth: Option<&'static str>,
+    /// The phase of a wave whose amplitude grows like a power of the number of steps.
+    pub double_multiplier_phase: Option<f64>,
+    /// The phase of a wave that nothing pulls back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drift_phase: Option<f64>,
     /// The stability limit.
     pub stability: LimitRecord,
     /// The monotonicity limit.
-    pub monotonicity: LimitRecord,
+    pub monotonicity: Option<LimitRecord>,
+    /// Why there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub monotonicity_reason: Option<&'static str>,
 }
 
-impl CheckRecord {
-    /// The record of a check of this discretisation.
-    pub fn new(discretisation: &Discretisation, cfl: f64, check: &Check) -> Self {
-        Self {
-            scheme: discretisation.scheme().name().into(),
-            kernel: discretisation.kernel().name().into(),
-            ratio: to_text(discretisation.ratio()),
-            cfl,
-            verdict: check.verdict.name(),
-            monotone: check.monotone,
-            max_gain: 1.0 + check.strongest.growth,
-            critical_phase: check.critical_phase(),
-            growth_per_step: check.strongest.growth,
-            steps_to_double: check.steps_to_double,
-            stability: (&check.stable_set.limit()).into(),
-            monotonicity: (&check.monotonicity).into(),
-        }
-    }
-}
-
-/// One coefficient of a scheme: a polynomial in `C`.
+/// One coefficient of a scheme: a polynomial in its parameter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CoefficientRecord {
     /// The neighbour's offset.
     pub offset: i64,
-    /// `[c0, c1, …]` in powers of `C`: exact fractions, or decimals where the data are not rational.
+    /// `[c0, c1, …]` in powers of the parameter: exact fractions, or decimals where the data are not rational.
     pub polynomial: Vec<String>,
+}
+
+/// Orders of accuracy; `null` where they are not known.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct OrderRecord {
+    /// In space.
+    pub space: Option<u32>,
+    /// In time.
+    pub time: Option<u32>,
+    /// At a fixed ratio of step and spacing; 0 when long waves have a wrong speed, `null` when not even constants are kept.
+    pub overall: Option<u32>,
 }
 
 /// The answer of `symbol`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SymbolRecord {
-    /// The scheme's name.
-    pub scheme: String,
-    /// The kernel's name.
-    pub kernel: String,
-    /// The smoothing ratio, exactly.
-    pub ratio: String,
-    /// The stencil.
-    pub coefficients: Vec<CoefficientRecord>,
-    /// Whether the coefficients are exact.
-    pub exact: bool,
-    /// The amplification factor as plain text.
+    /// What was looked at.
+    #[serde(flatten)]
+    pub subject: SubjectRecord,
+    /// Its equations.
+    pub equations: String,
+    /// The stencil, of an explicit scheme for one unknown between two levels.
+    pub coefficients: Option<Vec<CoefficientRecord>>,
+    /// Whether its coefficients are exact.
+    pub exact: Option<bool>,
+    /// The amplification factor as plain text, or the characteristic polynomial.
     pub text: String,
-    /// The amplification factor as LaTeX.
+    /// The same as LaTeX.
     pub latex: String,
-    /// Whether `g(0) = 1` at every Courant number.
+    /// `χ(z) = 0` as LaTeX, with `E = e^{iφ}`.
+    pub characteristic: String,
+    /// The same as plain text.
+    pub characteristic_text: String,
+    /// The degree of `χ` in `z`.
+    pub degree: usize,
+    /// The unknowns.
+    pub unknowns: Vec<String>,
+    /// `P` of `P U = 0`, by rows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub matrix: Option<Vec<Vec<String>>>,
+    /// Whether what is the same everywhere stays so.
     pub keeps_constants: bool,
-    /// Order of accuracy; `null` when not even constants are kept, 0 when long waves have a wrong speed.
-    pub order: Option<u32>,
+    /// Orders of accuracy, where they are known.
+    pub order: Option<OrderRecord>,
     /// Speed of long waves over the true speed.
-    pub long_wave_speed: f64,
-}
-
-impl SymbolRecord {
-    /// The record of a discretisation's symbol.
-    pub fn new(discretisation: &Discretisation) -> Self {
-        let symbol = discretisation.symbol();
-        let found = consistency(&symbol);
-        let (low, high) = symbol.center().reach().unwrap_or((0, 0));
-        let coefficients =
-            (low..=high)
-                .map(|offset| CoefficientRecord {
-                    offset,
-                    polynomial: symbol
-                        .center()
-                        .coefficient(offset)
-                        .coefficients()
-                        .iter()
-                        .map(|value| {
-                            if symbol.is_exact() {
-                                to_text(value)
-                            } else {
-                                to_f64(value).to_string()
-                            }
-                        })
-                        .collect(),
-                })
-                .collect();
-        Self {
-            scheme: discretisation.scheme().name().into(),
-            kernel: discretisation.kernel().name().into(),
-            ratio: to_text(discretisation.ratio()),
-            coefficients,
-            exact: symbol.is_exact(),
-            text: symbol.to_text(),
-            latex: symbol.to_latex(),
-            keeps_constants: found.keeps_constants,
-            order: found.order,
-            long_wave_speed: to_f64(&found.speed_ratio),
-        }
-    }
+    pub long_wave_speed: Option<f64>,
 }
 
 /// LaTeX of a limit's exact form, if it has one.

@@ -1,37 +1,34 @@
 //! `courant check`.
 
-mod waves;
-
-use super::judged::{Subject, SubjectOptions};
-use super::limit_text::wave as binding_wave;
-use super::output::{Format, print_record};
-use super::{Failure, Outcome, names, numbers};
+use super::columns::{empty, limit_cells, limit_columns, number, subject_cells, subject_columns};
+use super::interim::{Check, Verdict, check};
+use super::limit_text::{describe, length};
+use super::limits::{SearchOptions, no_monotonicity};
+use super::numbers::Numbers;
+use super::output::{Format, print, print_json, table_text};
+use super::subject::{
+    Defaults, Kind, Label, Sought, Subject, SubjectOptions, assumptions, varying,
+};
+use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
-use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
-use courant::analysis::stability::Limit;
-use courant::analysis::stability::stable_set;
-use courant::analysis::stability::verdict::{Check, Verdict, check};
-use courant::reports::number::significant;
-use courant::reports::record::CheckRecord;
+use courant::analysis::stability::{Limit, PointVerdict, decide_step_at};
+use courant::reports::number::{finite, significant};
+use courant::reports::record::{CheckRecord, LimitRecord};
 use courant::reports::table::{Align, Table};
+use rayon::prelude::*;
 use serde::Serialize;
 
 #[derive(Debug, Args)]
 pub struct Arguments {
     #[command(flatten)]
     subject: SubjectOptions,
-    /// Kernel: see `courant list kernels`.
-    #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
-    kernel: Kernel,
-    /// Smoothing ratio l/Δξ = h/Δ, read exactly: 2, 1.3, 3/2.
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio)]
-    ratio: Rational,
-    /// Courant number C = a Δt/Δξ of a scheme, or c Δt/h of a particle method, read exactly.
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number)]
-    cfl: Rational,
-    /// Accept growth up to this much per step: the answer is then whether |g| ≤ 1 + growth.
+    #[command(flatten)]
+    search: SearchOptions,
+    /// Values of the parameter whose limit is sought, read exactly: the Courant number of a scheme, c Δt/h of a particle method.
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers)]
+    cfl: Option<Numbers>,
+    /// Accept growth up to this much per step: the answer is then whether |z| ≤ 1 + growth.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative)]
     growth: Option<Rational>,
     /// Format of the output.
@@ -39,80 +36,315 @@ pub struct Arguments {
     format: Format,
 }
 
+/// One subject at one value.
+struct Answer {
+    subject: Subject,
+    sought: Sought,
+    value: Rational,
+    found: Check,
+    /// Whether the growth is within what is accepted; nothing where that is not decided.
+    within: Option<Option<bool>>,
+}
+
+impl Answer {
+    /// Whether the answer is yes: proved, not only not refuted.
+    fn is_accepted(&self) -> bool {
+        match self.within {
+            Some(within) => within == Some(true),
+            None => self.found.verdict.is_stable(),
+        }
+    }
+
+    fn symbol(&self) -> String {
+        self.subject.symbol(&self.sought.parameter)
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    match arguments.subject.subject()? {
-        Subject::Scheme(scheme) => run_scheme(arguments, scheme),
-        Subject::Stepped(stepped) => waves::run(arguments, &stepped),
-    }
-}
-
-fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome, Failure> {
-    let discretisation = Discretisation::new(scheme, arguments.kernel, arguments.ratio.clone())
-        .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
-    let symbol = discretisation.symbol();
-    let range = search_range(&arguments.ratio);
-    let found = check(&symbol, &arguments.cfl, &range);
-    let within_budget = arguments.growth.as_ref().map(|growth| {
-        let range = range.max(&arguments.cfl * Rational::from_integer(2.into()));
-        stable_set(&symbol, growth, &range).contains(&arguments.cfl)
-    });
-    let record = CheckRecord::new(&discretisation, to_f64(&arguments.cfl), &found);
-    let table = table(arguments, scheme, &found);
-    conclude(arguments, &record, table, found.verdict, within_budget)
-}
-
-/// Prints the answer. It is yes when the growth is within the budget or, without one, when no wave grows.
-fn conclude(
-    arguments: &Arguments,
-    record: &impl Serialize,
-    mut table: Table,
-    verdict: Verdict,
-    within_budget: Option<bool>,
-) -> Result<Outcome, Failure> {
-    if let (Some(within), Some(growth)) = (within_budget, &arguments.growth) {
-        let name = format!("growth within {}", significant(to_f64(growth), 3));
-        table.push([name, if within { "yes" } else { "no" }.into()]);
-    }
-    print_record("check", record, &table, arguments.format)?;
-    let accepted = within_budget.unwrap_or_else(|| verdict.is_stable());
+    let subjects = arguments.subject.subjects(&Defaults::default())?;
+    let cases: Vec<(Subject, Option<Rational>)> = match &arguments.cfl {
+        None => subjects.into_iter().map(|subject| (subject, None)).collect(),
+        Some(values) => subjects
+            .into_iter()
+            .flat_map(|subject| values.0.iter().map(move |v| (subject.clone(), Some(v.clone()))))
+            .collect(),
+    };
+    let answers: Vec<Answer> = cases
+        .into_par_iter()
+        .map(|(subject, cfl)| answer(arguments, subject, cfl))
+        .collect::<Result<_, _>>()?;
+    show(arguments, &answers)?;
+    let accepted = answers.iter().all(Answer::is_accepted);
     Ok(if accepted { Outcome::Yes } else { Outcome::No })
 }
 
-fn table(arguments: &Arguments, scheme: AdvectionScheme, found: &Check) -> Table {
-    let caption = format!(
-        "{}, {}, l/Δξ = {}, C = {}: {}",
-        scheme.title(),
-        arguments.kernel.title(),
-        to_text(&arguments.ratio),
-        to_text(&arguments.cfl),
-        headline(found)
-    );
+fn answer(
+    arguments: &Arguments,
+    subject: Subject,
+    cfl: Option<Rational>,
+) -> Result<Answer, Failure> {
+    let sought = subject.sought(true)?;
+    let name = &sought.parameter;
+    let value = match (cfl, &sought.value) {
+        (Some(_), Some(_)) => {
+            return Err(Failure::Message(format!("--cfl: --set {name} gives it a value already")));
+        }
+        (Some(value), None) => value,
+        (None, Some(value)) => numbers::in_courant_range(value.clone())
+            .map_err(|problem| Failure::Message(format!("--set {name}: {problem}")))?,
+        (None, None) => {
+            return Err(Failure::Message(format!(
+                "--cfl is required: the value of {name} to be judged, or --set {name}=…"
+            )));
+        }
+    };
+    let failed = |error| subject.failure(&error);
+    let plan = arguments.search.plan(&subject);
+    let found = check(&sought.step, name, &value, &plan).map_err(failed)?;
+    let within = match &arguments.growth {
+        None => None,
+        Some(growth) => {
+            let at_value = sought.step.with(name, &value).map_err(failed)?;
+            Some(match decide_step_at(&at_value, growth).map_err(failed)? {
+                PointVerdict::Stable => Some(true),
+                PointVerdict::Unstable(_) => Some(false),
+                PointVerdict::Undecided => None,
+            })
+        }
+    };
+    Ok(Answer { subject, sought, value, found, within })
+}
+
+fn record(answer: &Answer) -> CheckRecord {
+    let found = &answer.found;
+    let limit = |limit: &Limit| LimitRecord::new(limit, &answer.symbol(), None);
+    let monotonicity = found.monotone_set.as_ref().map(|set| limit(&set.limit()));
+    CheckRecord {
+        subject: answer.subject.record(&answer.sought.step, Some(&answer.sought.parameter)),
+        cfl: to_f64(&answer.value),
+        verdict: found.verdict.name(),
+        monotone: found.monotone,
+        max_gain: finite(1.0 + found.growth.per_step),
+        critical_phase: found.critical_phase(),
+        growth_per_step: finite(found.growth.per_step),
+        growth_reason: (!found.growth.per_step.is_finite())
+            .then_some("one step makes this wave larger than any number"),
+        steps_to_double: found.steps_to_double,
+        within_growth: answer.within.map(|within| match within {
+            Some(true) => "yes",
+            Some(false) => "no",
+            None => "undecided",
+        }),
+        double_multiplier_phase: found.double_multiplier,
+        drift_phase: found.drift,
+        stability: limit(&found.stable_set.limit()),
+        monotonicity_reason: monotonicity.is_none().then(|| no_monotonicity(&answer.subject)),
+        monotonicity,
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct Rows {
+    rows: Vec<CheckRecord>,
+}
+
+fn show(arguments: &Arguments, answers: &[Answer]) -> Result<Outcome, Failure> {
+    let table = match (answers, arguments.format) {
+        // One answer is the object, several are rows.
+        ([one], Format::Json) => return print_json("check", &record(one)),
+        (several, Format::Json) => {
+            return print_json("check", &Rows { rows: several.iter().map(record).collect() });
+        }
+        (all, Format::Csv) => csv_table(all),
+        ([one], _) => table(arguments, one),
+        (several, _) => rows_table(several),
+    };
+    let mut text = table_text(&table, arguments.format).unwrap_or_default();
+    if arguments.format == Format::Table {
+        let subjects = answers.iter().map(|answer| &answer.subject);
+        text.push_str(&super::output::paragraphs(&assumptions(subjects)));
+    }
+    print(&text)
+}
+
+/// One row an answer, for machines.
+fn csv_table(answers: &[Answer]) -> Table {
+    let own = [
+        "cfl",
+        "verdict",
+        "monotone",
+        "max_gain",
+        "growth_per_step",
+        "growth_phase",
+        "steps_to_double",
+        "double_multiplier_phase",
+        "within_growth",
+    ];
+    let columns: Vec<String> = subject_columns()
+        .chain(own.map(String::from))
+        .chain(limit_columns(""))
+        .chain(limit_columns("monotonicity_"))
+        .collect();
+    let mut table = empty(&columns);
+    for answer in answers {
+        let record = record(answer);
+        let mut cells = subject_cells(&record.subject);
+        cells.extend([
+            record.cfl.to_string(),
+            record.verdict.into(),
+            record.monotone.map_or_else(String::new, |monotone| monotone.to_string()),
+            number(record.max_gain),
+            number(record.growth_per_step),
+            number(record.critical_phase),
+            number(record.steps_to_double),
+            number(record.double_multiplier_phase),
+            record.within_growth.unwrap_or_default().into(),
+        ]);
+        cells.extend(limit_cells(Some(&record.stability)));
+        cells.extend(limit_cells(record.monotonicity.as_ref()));
+        table.push(cells);
+    }
+    table
+}
+
+/// One row an answer, for people.
+fn rows_table(answers: &[Answer]) -> Table {
+    let labels: Vec<Vec<Label>> = answers
+        .iter()
+        .map(|answer| {
+            let value = to_text(&answer.value);
+            let caption = format!("{} = {value}", answer.symbol());
+            let own = Label { heading: answer.symbol(), cell: value, caption };
+            let mut labels = answer.subject.labels();
+            labels.retain(|label| label.heading != answer.sought.parameter);
+            labels.push(own);
+            labels
+        })
+        .collect();
+    let varying = varying(&labels);
+    let shared = labels[0].iter().filter(|label| !varying.contains(&label.heading));
+    let caption = shared.map(|label| label.caption.clone()).collect::<Vec<_>>().join(", ");
+    let mut columns: Vec<(&str, Align)> = varying
+        .iter()
+        .map(|heading| {
+            let label = labels.iter().flatten().find(|label| label.heading == *heading);
+            (heading.as_str(), Label::align(label))
+        })
+        .collect();
+    columns.extend([
+        ("verdict", Align::Left),
+        ("monotone", Align::Left),
+        ("of the limit", Align::Right),
+        ("growth per step", Align::Right),
+        ("steps to double", Align::Right),
+        ("wave", Align::Right),
+    ]);
+    let mut table = Table::new(caption, &columns);
+    for (answer, labels) in answers.iter().zip(&labels) {
+        let found = &answer.found;
+        let cell = |heading: &String| {
+            let label = labels.iter().find(|label| label.heading == *heading);
+            label.map_or_else(|| "–".to_string(), |label| label.cell.clone())
+        };
+        let mut cells: Vec<String> = varying.iter().map(cell).collect();
+        let limit = found.stable_set.limit();
+        let of_limit = match limit.is_positive() && limit.value().is_finite() {
+            true => significant(to_f64(&answer.value) / limit.value(), 5),
+            false => "–".into(),
+        };
+        let wave = match found.critical_phase() {
+            Some(0.0) => "long".into(),
+            Some(phase) => format!("{} Δ", length(phase)),
+            None => "–".into(),
+        };
+        cells.extend([
+            found.verdict.name().into(),
+            monotone_word(found.monotone).into(),
+            of_limit,
+            significant(found.growth.per_step, 4),
+            found.steps_to_double.map_or_else(|| "–".into(), |steps| significant(steps, 4)),
+            wave,
+        ]);
+        table.push(cells);
+    }
+    table
+}
+
+fn monotone_word(monotone: Option<bool>) -> &'static str {
+    match monotone {
+        Some(true) => "yes",
+        Some(false) => "no",
+        None => "–",
+    }
+}
+
+/// One answer line by line.
+fn table(arguments: &Arguments, answer: &Answer) -> Table {
+    let found = &answer.found;
+    let symbol = answer.symbol();
+    let symbol = symbol.as_str();
+    let labels = answer.subject.labels();
+    let captions: Vec<String> = labels
+        .iter()
+        .filter(|label| label.heading != answer.sought.parameter)
+        .map(|label| label.caption.clone())
+        .chain([format!("{symbol} = {}", to_text(&answer.value))])
+        .collect();
+    let caption = format!("{}: {}", captions.join(", "), headline(found));
     let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Left)]);
     let limit = found.stable_set.limit();
-    let courant = to_f64(&arguments.cfl);
+    let value = to_f64(&answer.value);
     let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
     add("verdict", found.verdict.name().into());
-    add("monotone", if found.monotone { "yes" } else { "no" }.into());
-    add("stability limit", describe(&limit, "C"));
-    if limit.is_positive() && limit.value().is_finite() {
-        add("C / limit", significant(courant / limit.value(), 8));
+    if let Some(monotone) = found.monotone {
+        add("monotone", if monotone { "yes" } else { "no" }.into());
     }
-    add("monotonicity limit", describe(&found.monotonicity, "C"));
-    add("largest |g|", significant(1.0 + found.strongest.growth, 12));
-    add("growth per step", significant(found.strongest.growth, 6));
+    add("stability limit", describe(&limit, symbol, None));
+    if super::limit_text::has_gaps(&found.stable_set) {
+        add("stable set", super::limit_text::set(&found.stable_set));
+    }
+    if limit.is_positive() && limit.value().is_finite() {
+        if let Some((spacing, deviation)) = answer.subject.other_units(limit.value()) {
+            add("the same per spacing, c Δt/Δ", significant(spacing, 8));
+            add("per kernel deviation, c Δt/σ", significant(deviation, 8));
+        }
+        add(&format!("{symbol} / limit"), significant(value / limit.value(), 8));
+        if answer.subject.kind == Kind::Method
+            && let Some(binding) = limit.binding()
+        {
+            add("how stability ends", binding.name());
+        }
+    }
+    if let Some(set) = &found.monotone_set {
+        add("monotonicity limit", describe(&set.limit(), symbol, None));
+    }
+    add("largest |z|", significant(1.0 + found.growth.per_step, 12));
+    add("growth per step", significant(found.growth.per_step, 6));
     if let Some(steps) = found.steps_to_double {
         add("steps to double", significant(steps, 4));
-        let wavelength = 2.0 * std::f64::consts::PI / found.strongest.phase;
-        let wave = if found.strongest.phase > 0.0 {
-            format!(
-                "{} Δξ (φ = {} rad)",
-                significant(wavelength, 5),
-                significant(found.strongest.phase, 5)
-            )
-        } else {
-            "the mean itself (φ = 0)".into()
+        let phase = found.growth.phase;
+        let wave = match phase > 0.0 {
+            true => format!("{} Δ (φ = {} rad)", length(phase), significant(phase, 5)),
+            false => "the mean itself (φ = 0)".into(),
         };
         add("fastest growing wave", wave);
+    }
+    if let Some(phase) = found.double_multiplier {
+        let wave = format!("{} Δ (φ = {} rad)", length(phase), significant(phase, 5));
+        add("double multiplier", format!("{wave}: its amplitude grows like the number of steps"));
+    }
+    if let Some(phase) = found.drift {
+        let wave = format!("{} Δ (φ = {} rad)", length(phase), significant(phase, 5));
+        add("nothing pulls back", wave);
+    }
+    if let (Some(within), Some(growth)) = (answer.within, &arguments.growth) {
+        let name = format!("growth within {}", significant(to_f64(growth), 3));
+        let word = match within {
+            Some(true) => "yes",
+            Some(false) => "no",
+            None => "undecided",
+        };
+        add(&name, word.into());
     }
     table
 }
@@ -120,9 +352,9 @@ fn table(arguments: &Arguments, scheme: AdvectionScheme, found: &Check) -> Table
 fn headline(found: &Check) -> String {
     let verdict = words(found.verdict);
     match (found.verdict.is_stable(), found.monotone) {
-        (true, true) => format!("{verdict}, monotone"),
-        (true, false) => format!("{verdict}, not monotone"),
-        (false, _) => verdict.into(),
+        (true, Some(true)) => format!("{verdict}, monotone"),
+        (true, Some(false)) => format!("{verdict}, not monotone"),
+        _ => verdict.into(),
     }
 }
 
@@ -133,25 +365,6 @@ fn words(verdict: Verdict) -> &'static str {
         Verdict::Marginal => "marginally stable",
         Verdict::WeaklyUnstable => "weakly unstable",
         Verdict::Unstable => "unstable",
+        Verdict::Undecided => "undecided",
     }
-}
-
-/// A limit of what is called `symbol`, in words.
-fn describe(limit: &Limit, symbol: &str) -> String {
-    if limit.value().is_infinite() {
-        return format!("none up to {symbol} = {}", significant(limit.lower(), 6));
-    }
-    let exact = limit
-        .exact()
-        .map(ToString::to_string)
-        .filter(|text| text.len() <= 24 && text.contains(['/', '(']))
-        .map_or_else(String::new, |text| format!(" = {text}"));
-    let wave = match limit.critical_phase() {
-        Some(_) => format!(", {}", binding_wave(limit)),
-        None => limit
-            .binding_offset()
-            .map_or_else(String::new, |k| format!(", coefficient of offset {k}")),
-    };
-    let digits = limit.decimal(12).unwrap_or_default();
-    format!("{digits}{exact} ({}{wave})", limit.evidence().name())
 }

@@ -1,7 +1,7 @@
 //! `courant list`.
 
 use super::output::{Format, print, print_json, table_text};
-use super::{Failure, Outcome, run};
+use super::{Failure, Outcome, columns, run};
 use clap::{Args, ValueEnum};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::scheme::Integrator;
@@ -168,12 +168,25 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             .collect();
         return print_json("list", &lists);
     }
+    if arguments.format == Format::Csv {
+        let columns = ["topic", "name", "also", "what", "equations", "source"].map(String::from);
+        let mut table = columns::empty(&columns);
+        for topic in topics {
+            for entry in topic.entries() {
+                let also = entry.aliases.join(";");
+                let equations = entry.equations.unwrap_or_default();
+                let cells = [entry.name, also, entry.description, equations, entry.source];
+                table.push([topic.name()].into_iter().chain(cells));
+            }
+        }
+        return print(&table.to_csv());
+    }
     let mut text = String::new();
     for topic in topics {
         let entries = topic.entries();
         let also = entries.iter().any(|entry| !entry.aliases.is_empty());
         let equations = entries.iter().any(|entry| entry.equations.is_some())
-            && arguments.format != Format::Table;
+            && !matches!(arguments.format, Format::Table | Format::Latex);
         let columns = [
             ("name", true),
             ("also", also),

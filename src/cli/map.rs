@@ -1,18 +1,19 @@
 //! `courant map`.
 
+mod plane;
 mod waves;
 
 use super::numbers::{self, Numbers};
 use super::output::print;
 use super::progress::Bar;
-use super::waves::{DensityName, MethodName};
-use super::{Failure, Outcome, dispersion, names};
+use super::subject::{Defaults, Kind, Subject, SubjectOptions, setting};
+use super::{Failure, Outcome, dispersion};
 use clap::Args;
+use courant::analysis::exact::rational::ratio;
 use courant::analysis::kernel::Kernel;
 use courant::analysis::scheme::AdvectionScheme;
-use courant::analysis::scheme::integrator::Integrator;
-use courant::analysis::waves::dispersion::Form;
 use courant::reports::figure::Figure;
+use courant::reports::plane_map::PlaneAxis;
 use courant::reports::publish::OutputDirectory;
 use courant::reports::stability_map::{MapPlan, stability_map};
 use std::path::PathBuf;
@@ -21,63 +22,68 @@ use std::path::PathBuf;
 const MAX_POINTS: usize = 4_000_000;
 
 #[derive(Debug, Args)]
-#[command(group(clap::ArgGroup::new("subject").args(["scheme", "method"]).required(true)))]
 pub struct Arguments {
-    /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph.
-    #[arg(long, value_parser = names::scheme)]
-    scheme: Option<AdvectionScheme>,
-    /// Or a particle method: its sound waves over --kappa and --h or --alpha, or its stable steps over
-    /// --h and --alpha with --integrator.
-    #[arg(long, value_enum)]
-    method: Option<MethodName>,
-    /// Kernel: see `courant list kernels`.
-    #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
-    kernel: Kernel,
-    /// Smoothing ratios l/Δξ of a scheme, ascending (default: 1:10:0.05); the one ratio h/Δ of the
-    /// (κ, α) map (default: 1.2).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list)]
-    ratio: Option<Numbers>,
-    /// Courant numbers of a scheme, ascending (default: 0:12:0.05).
+    #[command(flatten)]
+    subject: SubjectOptions,
+    /// A parameter of any scheme to the right, with its values: r=0:1:0.01. With --y.
+    #[arg(long, value_name = "NAME=RANGE", allow_hyphen_values = true, value_parser = setting, requires = "y")]
+    x: Option<(String, Numbers)>,
+    /// A parameter upwards, along which stability is decided: C=0:2:0.01.
+    #[arg(long, value_name = "NAME=RANGE", allow_hyphen_values = true, value_parser = setting, requires = "x")]
+    y: Option<(String, Numbers)>,
+    /// Courant numbers of euler-sph, lax-wendroff-sph, godunov-sph over --ratio, ascending (default: 0:12:0.05).
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative_list, conflicts_with = "method")]
     cfl: Option<Numbers>,
-    /// Wave numbers κΔ in radians per spacing, ascending.
+    /// Wave numbers κΔ in radians per spacing, ascending, for a particle method over --ratio or --alpha.
     #[arg(long, allow_hyphen_values = true, value_parser = dispersion::kappa_list, conflicts_with = "scheme")]
     kappa: Option<Numbers>,
-    /// Smoothing ratios h/Δ, ascending.
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list, conflicts_with = "scheme")]
+    /// The smoothing ratios of a particle method as an axis, where --ratio is not.
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list, conflicts_with = "scheme", hide = true)]
     h: Option<Numbers>,
-    /// Coefficients of viscosity, ascending; over --kappa and --h the one of sph-av (default: 1).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative_list, conflicts_with = "scheme")]
-    alpha: Option<Numbers>,
-    /// Relation of gph (default: resolved).
-    #[arg(long, value_parser = super::waves::form, conflicts_with = "scheme")]
-    form: Option<Form>,
-    /// Time integrator: see `courant list integrators`.
-    #[arg(long, value_parser = super::waves::integrator, conflicts_with = "scheme")]
-    integrator: Option<Integrator>,
-    /// Density ρ0 of the undisturbed lattice.
-    #[arg(long, value_enum, default_value = "summation", conflicts_with = "scheme")]
-    density: DensityName,
     /// Directory for the files.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    match (arguments.scheme, arguments.method) {
-        (_, Some(method)) => waves::run(arguments, method),
-        (Some(scheme), None) => run_scheme(arguments, scheme),
-        (None, None) => Err(Failure::Message("--scheme or --method is required".into())),
+    if let (Some(x), Some(y)) = (&arguments.x, &arguments.y) {
+        let axis = |(name, values): &(String, Numbers)| PlaneAxis {
+            name: name.clone(),
+            values: values.0.clone(),
+        };
+        return plane::run(arguments, &axis(x), &axis(y));
     }
+    // One of the planes that are known by their options.
+    let one = Defaults { ratios: vec![ratio(6, 5)], ..Defaults::default() };
+    let integrators = Some("leapfrog-kdk".to_string());
+    let named = Defaults { integrators, ..one };
+    let subjects = arguments.subject.without_axes().subjects(&named)?;
+    for subject in &subjects {
+        match (subject.kind, subject.file.name.parse::<AdvectionScheme>()) {
+            (Kind::Method, _) => waves::run(arguments, subject)?,
+            (_, Ok(scheme)) => run_scheme(arguments, subject, scheme)?,
+            _ => {
+                return Err(Failure::Message(format!(
+                    "--x and --y are required for {}: two of its parameters, such as --x r=0:1:0.01 --y C=0:2:0.01",
+                    subject.file.name
+                )));
+            }
+        };
+    }
+    Ok(Outcome::Yes)
 }
 
-fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome, Failure> {
-    let axis = |given: &Option<Numbers>, otherwise: &str| match given {
+fn run_scheme(
+    arguments: &Arguments,
+    subject: &Subject,
+    scheme: AdvectionScheme,
+) -> Result<Outcome, Failure> {
+    let axis = |given: Option<&Numbers>, otherwise: &str| match given {
         Some(axis) => axis.clone(),
         None => numbers::list(otherwise).expect("the default axis is well-formed"),
     };
-    let ratios = axis(&arguments.ratio, "1:10:0.05");
-    let courant_numbers = axis(&arguments.cfl, "0:12:0.05");
+    let ratios = axis(arguments.subject.axes().0, "1:10:0.05");
+    let courant_numbers = axis(arguments.cfl.as_ref(), "0:12:0.05");
     for (option, axis) in [("--ratio", &ratios), ("--cfl", &courant_numbers)] {
         numbers::axis(axis).map_err(|problem| Failure::Message(format!("{option}: {problem}")))?;
     }
@@ -88,17 +94,13 @@ fn run_scheme(arguments: &Arguments, scheme: AdvectionScheme) -> Result<Outcome,
         return Err(Failure::Message(format!("--ratio and --cfl: {problem}")));
     }
     let output = OutputDirectory::open(&arguments.out)?;
-    let plan = MapPlan {
-        scheme,
-        kernel: arguments.kernel,
-        ratios: ratios.0,
-        courant_numbers: courant_numbers.0,
-    };
+    let kernel = subject.kernel.as_ref().map_or(Kernel::CubicSpline, |(kernel, _)| *kernel);
+    let plan = MapPlan { scheme, kernel, ratios: ratios.0, courant_numbers: courant_numbers.0 };
     let bar = Bar::new("map");
     let map = stability_map(plan, &|done, all| bar.advance(done, all))
         .map_err(|error| Failure::Message(error.to_string()))?;
     bar.finish();
-    let stem = format!("map_{}_{}", scheme.name(), arguments.kernel.name());
+    let stem = format!("map_{}_{}", scheme.name(), kernel.name());
     write(&output, &stem, &map.figure()?, map.data_files(&stem))
 }
 

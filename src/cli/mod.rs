@@ -1,9 +1,10 @@
 //! Arguments, dispatch, progress and exit codes. No mathematics.
 
 mod check;
+mod columns;
 mod dispersion;
 mod error;
-mod judged;
+mod interim;
 mod limit_text;
 mod limits;
 mod list;

@@ -114,12 +114,23 @@ pub fn positive(text: &str) -> Result<Rational, String> {
 
 /// A Courant number that somebody may mean.
 pub fn courant_number(text: &str) -> Result<Rational, String> {
-    let value = positive(text)?;
-    if value <= integer(MAX_COURANT) {
-        Ok(value)
-    } else {
+    number(text).and_then(in_courant_range)
+}
+
+/// The same for a number that was read.
+pub fn in_courant_range(value: Rational) -> Result<Rational, String> {
+    if !value.is_positive() {
+        Err("it must be above 0".into())
+    } else if value > integer(MAX_COURANT) {
         Err(format!("it must be at most {MAX_COURANT}"))
+    } else {
+        Ok(value)
     }
+}
+
+/// Courant numbers.
+pub fn courant_numbers(text: &str) -> Result<Numbers, String> {
+    list(text)?.0.into_iter().map(in_courant_range).collect::<Result<_, _>>().map(Numbers)
 }
 
 /// A number within bounds.

@@ -95,10 +95,6 @@ pub fn integrator(text: &str) -> Result<Integrator, String> {
         .map_err(|_| names::unknown("integrator", text, &Integrator::ALL.map(Integrator::name)))
 }
 
-/// A form by name.
-pub fn form(text: &str) -> Result<Form, String> {
-    text.parse().map_err(|_| "accepted: resolved, published".into())
-}
 
 /// A coefficient of viscosity.
 pub fn alpha(text: &str) -> Result<Rational, String> {

@@ -6,15 +6,14 @@ mod tables;
 
 use super::numbers::Numbers;
 use super::output::{Format, print, print_json};
-use super::subject::{KernelDefaults, Kind, Sought, Subject, SubjectOptions};
+use super::subject::{Defaults, Kind, Sought, Subject, SubjectOptions};
 use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::certificate::{self, Certificate, certify_monotonicity, certify_stability};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 use courant::analysis::stability::{
-    DEFAULT_BITS, Limit, SearchPlan, SingularStep, StableSet, monotonicity_limit,
-    sampled_stability_limit,
+    DEFAULT_BITS, Limit, SearchPlan, SingularStep, StableSet, sampled_stability_limit,
 };
 use courant::reports::certificate_file;
 use courant::reports::number::finite;
@@ -90,7 +89,7 @@ struct Rows {
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let subjects = arguments.subject.subjects(&KernelDefaults::default())?;
+    let subjects = arguments.subject.subjects(&Defaults::default())?;
     let answers: Vec<Answer> = subjects
         .into_par_iter()
         .map(|subject| answer(arguments, subject))
@@ -136,11 +135,12 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
         let found = step.stable_set(parameter, &plan).map_err(failed)?;
         Ok((budget.clone(), found.limit()))
     });
+    let monotone_set = step.monotone_set(parameter, &plan).map_err(failed)?;
     Ok(Answer {
         stability,
         set,
-        monotonicity: monotonicity(&subject, &plan.max),
-        monotone_set: None,
+        monotonicity: monotone_set.as_ref().map(StableSet::limit),
+        monotone_set,
         growth: growth.collect::<Result<_, Failure>>()?,
         singular: step.singular_steps(parameter, &plan).map_err(failed)?,
         keeps_constants: step.keeps_constants().map_err(failed)?,
@@ -153,10 +153,6 @@ fn discretisation(subject: &Subject) -> Option<Discretisation> {
     let scheme: AdvectionScheme = subject.file.name.parse().ok()?;
     let (kernel, ratio) = subject.kernel.clone()?;
     Discretisation::new(scheme, kernel, ratio).ok()
-}
-
-fn monotonicity(subject: &Subject, max: &Rational) -> Option<Limit> {
-    discretisation(subject).map(|one| monotonicity_limit(&one.symbol(), max))
 }
 
 fn sampled(subject: &Subject, samples: usize, max: &Rational) -> Result<Limit, Failure> {
@@ -231,7 +227,7 @@ fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
     let limit = &answer.stability;
     let units = answer.subject.other_units(limit.value());
     LimitsRow {
-        subject: answer.subject.record(&answer.sought),
+        subject: answer.subject.record(&answer.sought.step, Some(&answer.sought.parameter)),
         stability: record(limit),
         stable_set: match &answer.set {
             Some(set) => intervals(set, symbol),

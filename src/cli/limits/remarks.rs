@@ -2,7 +2,7 @@
 
 use super::Answer;
 use crate::cli::limit_text;
-use crate::cli::subject::{Kind, density_name};
+use crate::cli::subject::assumptions;
 use courant::analysis::exact::rational::{decimal_below, to_text};
 use courant::analysis::stability::Evidence;
 use courant::reports::number::significant;
@@ -132,26 +132,8 @@ pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> R
             add(format!("singular at {symbol} = {exact}: the step cannot be solved for {wave}"));
         }
     }
-    if let Some(answer) = answers.iter().find(|answer| answer.subject.kind == Kind::Method) {
-        let subject = &answer.subject;
-        let one = |text: Option<String>, all: bool| text.filter(|_| all);
-        let all = |same: &dyn Fn(&Answer) -> bool| answers.iter().all(same);
-        let eos = one(
-            subject.eos.as_ref().map(|eos| format!(", {}", eos.name)),
-            all(&|other| other.subject.eos == subject.eos),
-        );
-        let density = one(
-            subject.density.map(|density| format!(", density by {}", density_name(density))),
-            all(&|other| other.subject.density == subject.density),
-        );
-        remarks.add(
-            "",
-            format!(
-                "linear waves along a line of equal particles (one dimension){}{}",
-                eos.unwrap_or_default(),
-                density.unwrap_or_default()
-            ),
-        );
+    for text in assumptions(answers.iter().map(|answer| &answer.subject)) {
+        remarks.add("", text);
     }
     remarks
 }

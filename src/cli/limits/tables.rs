@@ -96,8 +96,7 @@ fn rows(
         .iter()
         .map(|heading| {
             let label = labels.iter().flatten().find(|label| label.heading == *heading);
-            let text = label.is_some_and(Label::is_text);
-            (heading.clone(), if text { Align::Left } else { Align::Right })
+            (heading.clone(), Label::align(label))
         })
         .collect();
     let mut add = |name: &str, align: Align, when: bool| {

@@ -3,10 +3,11 @@
 use super::{Arguments, MAX_POINTS};
 use crate::cli::numbers::{self, Numbers};
 use crate::cli::progress::Bar;
-use crate::cli::waves::MethodName;
+use crate::cli::subject::Subject;
+use crate::cli::waves::{self, MethodName};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
-use courant::analysis::kernel::LatticeSums;
+use courant::analysis::kernel::{Kernel, LatticeSums};
 use courant::analysis::scheme::integrator::Integrator;
 use courant::analysis::waves::dispersion::{WaveMethod, WaveScheme};
 use courant::reports::publish::OutputDirectory;
@@ -25,22 +26,39 @@ fn refuse(message: impl Into<String>) -> Failure {
 }
 
 /// The plane that the axes given ask for.
-fn plane(arguments: &Arguments) -> Result<Plane<'_>, Failure> {
-    let Arguments { kappa, h, alpha, integrator, .. } = arguments;
-    match (kappa, h, alpha, *integrator) {
-        (None, Some(ratios), Some(alphas), Some(integrator)) => {
-            Ok(Plane::StableStep { integrator, ratios, alphas })
+fn plane<'a>(arguments: &'a Arguments, subject: &Subject) -> Result<Plane<'a>, Failure> {
+    let (ratios, alphas) = axes_of(arguments);
+    let kappas = arguments.kappa.as_ref();
+    let is_range = |numbers: Option<&Numbers>| numbers.is_some_and(|list| list.0.len() > 1);
+    if arguments.subject.has_integrator() {
+        let integrator = subject.integrator.as_ref().map_or("", |one| one.name.as_str());
+        let known = waves::integrator(integrator)
+            .map_err(|problem| refuse(format!("--integrator {integrator}: {problem}")))?;
+        return match (kappas, ratios, alphas) {
+            (None, Some(ratios), Some(alphas)) => {
+                Ok(Plane::StableStep { integrator: known, ratios, alphas })
+            }
+            _ => Err(refuse(format!(
+                "--integrator {integrator}: the map of stable steps needs --ratio and --alpha ranges and no --kappa"
+            ))),
+        };
+    }
+    match (kappas, ratios, alphas) {
+        (Some(kappas), _, Some(alphas)) if is_range(Some(alphas)) && !is_range(ratios) => {
+            Ok(Plane::Amplitude { kappas, alphas })
         }
-        (_, _, _, Some(integrator)) => Err(refuse(format!(
-            "--integrator {integrator}: the map of stable steps needs --h and --alpha ranges and no --kappa"
-        ))),
-        (Some(kappas), Some(ratios), _, None) => Ok(Plane::PhaseError { kappas, ratios }),
-        (Some(kappas), None, Some(alphas), None) => Ok(Plane::Amplitude { kappas, alphas }),
+        (Some(kappas), Some(ratios), _) => Ok(Plane::PhaseError { kappas, ratios }),
         _ => Err(refuse(
-            "--method: a map needs two axes: --kappa and --h (phase error), --kappa and --alpha (amplitude), \
-             or --integrator with --h and --alpha (stable steps)",
+            "--method: a map needs two axes: --kappa and --ratio (phase error), --kappa and --alpha (amplitude), \
+             or --integrator with --ratio and --alpha (stable steps)",
         )),
     }
+}
+
+/// Ratios and coefficients of viscosity.
+fn axes_of(arguments: &Arguments) -> (Option<&Numbers>, Option<&Numbers>) {
+    let (ratios, alphas) = arguments.subject.axes();
+    (arguments.h.as_ref().or(ratios), alphas)
 }
 
 fn axes(first: (&str, &Numbers), second: (&str, &Numbers)) -> Result<(), Failure> {
@@ -60,8 +78,12 @@ fn axes(first: (&str, &Numbers), second: (&str, &Numbers)) -> Result<(), Failure
     Ok(())
 }
 
-pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> {
-    let plane = plane(arguments)?;
+pub fn run(arguments: &Arguments, subject: &Subject) -> Result<Outcome, Failure> {
+    let plane = plane(arguments, subject)?;
+    let name = &subject.file.name;
+    let name = MethodName::ALL.into_iter().find(|known| known.name() == name).ok_or_else(|| {
+        refuse(format!("--method {name}: only sph, sph-av and gph have maps of their waves"))
+    })?;
     let only_viscous = |what: &str| match name {
         MethodName::SphAv => Ok(WaveMethod::SphAv { alpha: integer(1) }),
         _ => Err(refuse(format!(
@@ -69,43 +91,36 @@ pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> 
             name.name()
         ))),
     };
+    let density = subject.density.unwrap_or_default();
     let scheme = |method: WaveMethod, ratio: &Rational| {
-        LatticeSums::new(arguments.kernel, ratio, arguments.density.into())
+        LatticeSums::new(kernel_of(subject), ratio, density)
             .map(|sums| WaveScheme::with_sums(method, sums))
             .map_err(|error| refuse(format!("--ratio: {error}")))
     };
-    if let (Some(_), Plane::PhaseError { .. } | Plane::StableStep { .. }) =
-        (&arguments.ratio, &plane)
+    if let (Some(_), Some(_), false) =
+        (&arguments.h, arguments.subject.axes().0, matches!(plane, Plane::Amplitude { .. }))
     {
         return Err(refuse("--ratio: the smoothing ratio is the axis --h of this map"));
-    }
-    if let (Some(form), Plane::Amplitude { .. } | Plane::StableStep { .. }) =
-        (arguments.form, &plane)
-    {
-        return Err(refuse(format!(
-            "--form {}: only a map over --kappa and --h of gph takes it",
-            form.name()
-        )));
     }
     let bar = Bar::new("map");
     let progress = |done: usize, all: usize| bar.advance(done, all);
     let stopped = |error| refuse(format!("{error}"));
     let floats = |numbers: &Numbers| -> Vec<f64> { numbers.0.iter().map(to_f64).collect() };
-    let kernel = arguments.kernel;
+    let kernel = kernel_of(subject);
     let stem = |what: &str| format!("map_{what}_{}_{}", name.name(), kernel.name());
     let (stem, figure, data) = match plane {
         Plane::PhaseError { kappas, ratios } => {
-            axes(("--kappa", kappas), ("--h", ratios))?;
-            let alpha = match arguments.alpha.as_ref().map(|alphas| alphas.0.as_slice()) {
+            axes(("--kappa", kappas), ("--ratio", ratios))?;
+            let alpha = match axes_of(arguments).1.map(|alphas| alphas.0.as_slice()) {
                 None => None,
                 Some([alpha]) => Some(alpha),
                 Some(_) => {
                     return Err(refuse(
-                        "--alpha: a map over --kappa and --h takes one value of it",
+                        "--alpha: a map over --kappa and --ratio takes one value of it",
                     ));
                 }
             };
-            let method = name.method(arguments.form, alpha)?;
+            let method = name.method(None, alpha)?;
             let mut stem = stem("phase_error");
             if let Some(form) = method.form() {
                 stem = format!("{stem}_{}", form.name());
@@ -120,7 +135,7 @@ pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> 
         Plane::Amplitude { kappas, alphas } => {
             axes(("--kappa", kappas), ("--alpha", alphas))?;
             let method = only_viscous("the amplitude")?;
-            let at = match arguments.ratio.as_ref().map(|ratios| ratios.0.as_slice()) {
+            let at = match arguments.subject.axes().0.map(|ratios| ratios.0.as_slice()) {
                 None => ratio(6, 5),
                 Some([value]) => value.clone(),
                 Some(_) => {
@@ -137,7 +152,7 @@ pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> 
             (stem.clone(), map.figure(&title)?, map.data_files(&stem))
         }
         Plane::StableStep { integrator, ratios, alphas } => {
-            axes(("--h", ratios), ("--alpha", alphas))?;
+            axes(("--ratio", ratios), ("--alpha", alphas))?;
             let method = only_viscous("the stable step")?;
             let stem = format!("{}_{}", stem("stable_step"), integrator.name());
             let title = format!("SPH with viscosity, {}, {}", kernel.title(), integrator.title());
@@ -151,4 +166,8 @@ pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> 
     bar.finish();
     let output = OutputDirectory::open(&arguments.out)?;
     super::write(&output, &stem, &figure, data)
+}
+
+fn kernel_of(subject: &Subject) -> Kernel {
+    subject.kernel.as_ref().map_or(Kernel::CubicSpline, |(kernel, _)| *kernel)
 }

@@ -9,8 +9,10 @@ use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::catalogue::SchemeFile;
 use courant::analysis::scheme::{Integrator, KernelLattice, Lines, SchemeError, Step};
 use courant::analysis::stability::SearchPlan;
+use courant::reports::plane_map::PlaneAxis;
 use courant::reports::record::SubjectRecord;
-pub use options::{KernelDefaults, SubjectOptions};
+use courant::reports::table::Align;
+pub use options::{Defaults, SubjectOptions, setting};
 use std::sync::Arc;
 
 /// Which option named it.
@@ -98,6 +100,11 @@ impl Label {
     pub fn is_text(&self) -> bool {
         !self.caption.contains(" = ") || self.heading == "equation"
     }
+
+    /// How a column is set whose cells are like this one.
+    pub fn align(label: Option<&Self>) -> Align {
+        if label.is_some_and(Self::is_text) { Align::Left } else { Align::Right }
+    }
 }
 
 impl Subject {
@@ -127,17 +134,62 @@ impl Subject {
     /// Its step for a question about one parameter: named by the user, or by the file, or `C`, or the only one without a value.
     /// Where `may_be_set` the one that is sought may have a value.
     pub fn sought(&self, may_be_set: bool) -> Result<Sought, Failure> {
-        let mut step = self.open_step()?;
-        let known: Vec<String> = step.names().parameters().map(|(name, _)| name.into()).collect();
+        let open = self.open_step()?;
+        let known: Vec<String> = open.names().parameters().map(|(name, _)| name.into()).collect();
         let parameter = self.sought_parameter(&known, may_be_set)?;
-        let mut value = None;
-        for (name, given) in &self.values {
-            if *name == parameter {
-                value = Some(given.clone());
-                continue;
+        let given = self.values.iter().find(|(name, _)| *name == parameter);
+        let value = given.map(|(_, value)| value.clone());
+        let mut step = self.set(open, Some(&parameter))?;
+        for (name, default) in &self.file.parameters {
+            if *name != parameter && !self.is_set(name) && known.contains(name) {
+                step = step.with(name, default).map_err(|error| self.failure(&error))?;
             }
+        }
+        let open: Vec<String> =
+            step.free_parameters().into_iter().filter(|name| *name != parameter).collect();
+        match open.is_empty() {
+            true => Ok(Sought { step, parameter, value }),
+            false => Err(without_values(&open)),
+        }
+    }
+
+    /// Its step with values for all parameters but two.
+    pub fn plane(&self, x: &PlaneAxis, y: &PlaneAxis) -> Result<Step, Failure> {
+        let open = self.open_step()?;
+        for (option, axis) in [("--x", x), ("--y", y)] {
+            if open.names().parameter(&axis.name).is_none() {
+                let known = open.names().parameters().map(|(name, _)| name.into()).collect();
+                let problem = SchemeError::UnknownParameter { name: axis.name.clone(), known };
+                return Err(Failure::Message(format!("{option} {}: {problem}", axis.name)));
+            }
+            if self.is_set(&axis.name) {
+                let name = &axis.name;
+                return Err(Failure::Message(format!("--set {name}: it is an axis of the map")));
+            }
+        }
+        let mut step = self.set(open, None)?;
+        for (name, default) in &self.file.parameters {
+            let taken = *name == x.name || *name == y.name || self.is_set(name);
+            if !taken && step.names().parameter(name).is_some() {
+                step = step.with(name, default).map_err(|error| self.failure(&error))?;
+            }
+        }
+        let axes = [&x.name, &y.name];
+        let open: Vec<String> =
+            step.free_parameters().into_iter().filter(|name| !axes.contains(&name)).collect();
+        if open.is_empty() { Ok(step) } else { Err(without_values(&open)) }
+    }
+
+    /// Its step with the values that were given, and nothing else.
+    pub fn with_values(&self) -> Result<Step, Failure> {
+        self.set(self.open_step()?, None)
+    }
+
+    fn set(&self, mut step: Step, but: Option<&str>) -> Result<Step, Failure> {
+        for (name, given) in self.values.iter().filter(|(name, _)| Some(name.as_str()) != but) {
             // A name of the file that drops out of the equations of this lattice.
-            if !known.contains(name) && self.file.parameters.contains_key(name) {
+            let occurs = step.names().parameter(name).is_some();
+            if !occurs && self.file.parameters.contains_key(name) {
                 continue;
             }
             let option = match name.as_str() {
@@ -153,17 +205,7 @@ impl Subject {
                 )));
             }
         }
-        for (name, default) in &self.file.parameters {
-            if *name != parameter && !self.is_set(name) && known.contains(name) {
-                step = step.with(name, default).map_err(|error| self.failure(&error))?;
-            }
-        }
-        let open: Vec<String> =
-            step.free_parameters().into_iter().filter(|name| *name != parameter).collect();
-        match open.is_empty() {
-            true => Ok(Sought { step, parameter, value }),
-            false => Err(without_values(&open)),
-        }
+        Ok(step)
     }
 
     fn is_set(&self, name: &str) -> bool {
@@ -248,10 +290,10 @@ impl Subject {
     }
 
     /// Its names for JSON.
-    pub fn record(&self, sought: &Sought) -> SubjectRecord {
+    pub fn record(&self, step: &Step, parameter: Option<&str>) -> SubjectRecord {
         let method = self.kind == Kind::Method;
         let value = |name: &str| {
-            let set = sought.step.set_parameters().iter().find(|(known, _)| known == name);
+            let set = step.set_parameters().iter().find(|(known, _)| known == name);
             set.map(|(_, value)| value)
         };
         SubjectRecord {
@@ -267,10 +309,9 @@ impl Subject {
             eos: self.eos.as_ref().map(|eos| eos.name.clone()),
             density: self.density.map(density_name),
             lattice: method.then_some("line"),
-            dimension: sought.step.dimension(),
-            parameter: sought.parameter.clone(),
-            parameters: sought
-                .step
+            dimension: step.dimension(),
+            parameter: parameter.map(String::from),
+            parameters: step
                 .set_parameters()
                 .iter()
                 .map(|(name, value)| (name.clone(), to_text(value)))
@@ -376,4 +417,20 @@ pub fn row_name(labels: &[Label], varying: &[String]) -> String {
     let told = labels.iter().filter(|label| varying.contains(&label.heading));
     let text = |label: &Label| if label.is_text() { &label.cell } else { &label.caption }.clone();
     told.map(text).collect::<Vec<_>>().join(", ")
+}
+
+/// What is taken for granted of particle methods: one line, none for schemes.
+pub fn assumptions<'a>(subjects: impl Iterator<Item = &'a Subject>) -> Vec<String> {
+    let methods: Vec<&Subject> = subjects.filter(|one| one.kind == Kind::Method).collect();
+    let Some(first) = methods.first() else { return Vec::new() };
+    let shared = |text: Option<String>, same: &dyn Fn(&Subject) -> bool| {
+        text.filter(|_| methods.iter().all(|one| same(one))).unwrap_or_default()
+    };
+    let eos = first.eos.as_ref().map(|eos| format!(", {}", eos.name));
+    let density = first.density.map(|density| format!(", density by {}", density_name(density)));
+    vec![format!(
+        "linear waves along a line of equal particles (one dimension){}{}",
+        shared(eos, &|one| one.eos == first.eos),
+        shared(density, &|one| one.density == first.density)
+    )]
 }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 const MAX_SUBJECTS: usize = 1_000_000;
 
 /// `--equation`, `--scheme`, `--space` with `--integrator`, or `--method` with `--integrator`; lists everywhere.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[group(skip)]
 #[command(group(clap::ArgGroup::new("subject").args(["equation", "scheme", "space", "method"])))]
 pub struct SubjectOptions {
@@ -67,13 +67,17 @@ pub struct SubjectOptions {
     parameter: Option<String>,
 }
 
-/// The kernels and ratios of a command that need not be told.
+/// What a command takes where nothing is said.
 #[derive(Debug, Clone, Default)]
-pub struct KernelDefaults {
-    /// The kernels.
+pub struct Defaults {
+    /// The kernels; nothing is the cubic spline.
     pub kernels: Vec<Kernel>,
-    /// The ratios.
+    /// The ratios; nothing must be said.
     pub ratios: Vec<Rational>,
+    /// The schemes, where no subject is named.
+    pub schemes: Option<String>,
+    /// The integrators.
+    pub integrators: Option<String>,
 }
 
 fn refuse(message: impl Into<String>) -> Failure {
@@ -89,7 +93,8 @@ fn alphas(text: &str) -> Result<Numbers, String> {
         .map(Numbers)
 }
 
-fn setting(text: &str) -> Result<(String, Numbers), String> {
+/// `NAME=VALUES`.
+pub fn setting(text: &str) -> Result<(String, Numbers), String> {
     let (name, values) =
         text.split_once('=').ok_or("write NAME=VALUES, for example r=1/4 or r=0:1:0.1")?;
     let name = name.trim();
@@ -152,12 +157,32 @@ impl SubjectOptions {
             || self.method.is_some()
     }
 
+    /// The lists that are axes of maps: ratios, coefficients of viscosity.
+    pub fn axes(&self) -> (Option<&Numbers>, Option<&Numbers>) {
+        (self.ratio.as_ref(), self.alpha.as_ref())
+    }
+
+    /// The same options without those lists.
+    pub fn without_axes(&self) -> Self {
+        Self { ratio: None, alpha: None, ..self.clone() }
+    }
+
+    /// Whether an integrator was named.
+    pub fn has_integrator(&self) -> bool {
+        self.integrator.is_some()
+    }
+
+    /// Whether it is a particle method.
+    pub fn is_method(&self) -> bool {
+        self.method.is_some()
+    }
+
     /// Every combination of the lists.
-    pub fn subjects(&self, defaults: &KernelDefaults) -> Result<Vec<Subject>, Failure> {
-        let (kind, files) = self.files()?;
+    pub fn subjects(&self, defaults: &Defaults) -> Result<Vec<Subject>, Failure> {
+        let (kind, files) = self.files(defaults)?;
         let method = kind == Kind::Method;
         self.refuse_foreign(kind, &files)?;
-        let integrators = self.integrators(method)?;
+        let integrators = self.integrators(method, defaults)?;
         let nothing = || vec![None];
         let listed =
             |list: Option<Vec<_>>| list.map_or_else(nothing, |l| l.into_iter().map(Some).collect());
@@ -240,7 +265,7 @@ impl SubjectOptions {
     }
 
     /// What `--equation`, `--scheme`, `--space` or `--method` name.
-    fn files(&self) -> Result<(Kind, Vec<Arc<SchemeFile>>), Failure> {
+    fn files(&self, defaults: &Defaults) -> Result<(Kind, Vec<Arc<SchemeFile>>), Failure> {
         let of_catalogue = |kind: Kind, list: &str| {
             let all = match kind {
                 Kind::Scheme => catalogue::schemes(),
@@ -258,6 +283,9 @@ impl SubjectOptions {
             }
             (_, Some(list), _) => of_catalogue(Kind::Space, list),
             (.., Some(list)) => of_catalogue(Kind::Method, list),
+            _ if self.equation.is_empty() && defaults.schemes.is_some() => {
+                of_catalogue(Kind::Scheme, defaults.schemes.as_deref().unwrap_or_default())
+            }
             _ if self.equation.is_empty() => Err(refuse(
                 "one of --equation, --scheme, --space and --method is required; see --help",
             )),
@@ -313,8 +341,14 @@ impl SubjectOptions {
         }
     }
 
-    fn integrators(&self, particles: bool) -> Result<Option<Vec<Arc<Integrator>>>, Failure> {
-        let Some(list) = &self.integrator else { return Ok(None) };
+    fn integrators(
+        &self,
+        particles: bool,
+        defaults: &Defaults,
+    ) -> Result<Option<Vec<Arc<Integrator>>>, Failure> {
+        let Some(list) = self.integrator.as_ref().or(defaults.integrators.as_ref()) else {
+            return Ok(None);
+        };
         numbers::names(list, |name| names::integrator(name, particles))
             .map(|found| Some(found.0))
             .map_err(|problem| refuse(format!("--integrator {list}: {problem}")))
@@ -355,11 +389,6 @@ impl SubjectOptions {
             known.push(name);
         }
         Ok(combinations)
-    }
-
-    /// The values of one parameter, if it was set.
-    pub fn values_of(&self, name: &str) -> Option<&Numbers> {
-        self.set.iter().find(|(known, _)| known == name).map(|(_, values)| values)
     }
 }
 

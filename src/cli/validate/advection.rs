@@ -3,9 +3,9 @@
 use super::Arguments;
 use crate::cli::output::{Format, print, print_json, table_text};
 use crate::cli::progress::Bar;
+use crate::cli::subject::Subject;
 use crate::cli::{Failure, Outcome};
-use courant::analysis::exact::rational::{integer, to_f64, to_text};
-use courant::analysis::kernel::Kernel;
+use courant::analysis::exact::rational::{to_f64, to_text};
 use courant::analysis::scheme::{AdvectionScheme, Discretisation};
 use courant::reports::advection_validation::{
     Settings, ValidatedCase, ValidationCase, ValidationRecord, run_cases,
@@ -14,7 +14,7 @@ use courant::reports::number::significant;
 use courant::reports::table::{Align, Table};
 use courant::simulation::advection::Fault;
 
-pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failure> {
     let defaults = Settings::default();
     let settings = Settings {
         particles: arguments.particles.unwrap_or(defaults.particles),
@@ -22,7 +22,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         fault: arguments.fault.as_ref().map(|by| Fault { offset: -1, by: to_f64(by) }),
         ..defaults
     };
-    let cases = cases(arguments, settings)?;
+    let cases = cases(arguments, subjects, settings)?;
     let bar = Bar::new("validate");
     let cases = run_cases(cases, &|done, all| {
         let _ = bar.advance(done, all);
@@ -47,25 +47,29 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(if record.passed { Outcome::Yes } else { Outcome::No })
 }
 
-fn cases(arguments: &Arguments, settings: Settings) -> Result<Vec<ValidationCase>, Failure> {
-    let schemes = arguments.scheme.map_or(AdvectionScheme::ALL.to_vec(), |scheme| vec![scheme]);
-    let kernels = arguments.kernel.as_ref().map_or(&Kernel::ALL[..], |kernels| &kernels.0);
-    let ratios = arguments.ratio.as_ref().map_or(vec![integer(2)], |ratios| ratios.0.clone());
+fn cases(
+    arguments: &Arguments,
+    subjects: &[Subject],
+    settings: Settings,
+) -> Result<Vec<ValidationCase>, Failure> {
     let mut cases = Vec::new();
-    for scheme in schemes {
-        for kernel in kernels {
-            for ratio in &ratios {
-                let discretisation = Discretisation::new(scheme, *kernel, ratio.clone())
-                    .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
-                match &arguments.cfl {
-                    Some(courant) => {
-                        cases.push(ValidationCase::at(discretisation, courant, settings));
-                    }
-                    None => {
-                        cases.extend(ValidationCase::about_the_limit(&discretisation, settings));
-                    }
-                }
-            }
+    for subject in subjects {
+        let scheme: AdvectionScheme = subject
+            .file
+            .name
+            .parse()
+            .map_err(|error| Failure::Message(format!("--scheme: {error}")))?;
+        let (kernel, ratio) = subject.kernel.clone().expect("these schemes have kernels");
+        let discretisation = Discretisation::new(scheme, kernel, ratio)
+            .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
+        let sought = subject.sought(true)?;
+        let values = arguments.cfl.iter().flat_map(|values| &values.0).chain(&sought.value);
+        let before = cases.len();
+        cases.extend(
+            values.map(|value| ValidationCase::at(discretisation.clone(), value, settings)),
+        );
+        if cases.len() == before {
+            cases.extend(ValidationCase::about_the_limit(&discretisation, settings));
         }
     }
     Ok(cases)

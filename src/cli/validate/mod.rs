@@ -1,40 +1,28 @@
 //! `courant validate`: predicted against measured, mode by mode.
 
 mod advection;
+mod equations;
 mod particles;
 
-use super::numbers::{Names, Numbers};
+use super::numbers::Numbers;
 use super::output::Format;
-use super::waves::MethodName;
-use super::{Failure, Outcome, names, numbers};
+use super::subject::{Defaults, Kind, Subject, SubjectOptions};
+use super::{Failure, Outcome, numbers};
 use clap::Args;
-use courant::analysis::exact::rational::Rational;
+use courant::analysis::exact::rational::{Rational, integer, ratio};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::scheme::AdvectionScheme;
 
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Scheme: euler-sph, lax-wendroff-sph, godunov-sph (default: all three).
-    #[arg(long, value_parser = names::scheme)]
-    scheme: Option<AdvectionScheme>,
-    /// Particle method instead of a scheme: sph, sph-av, gph.
-    #[arg(long, value_parser = particles::method, conflicts_with = "scheme")]
-    method: Option<MethodName>,
-    /// Options of particle methods.
     #[command(flatten)]
-    particle: particles::Options,
-    /// Kernels, separated by commas: see `courant list kernels` (default: all).
-    #[arg(long, value_parser = |text: &str| numbers::names(text, names::kernel))]
-    kernel: Option<Names<Kernel>>,
-    /// Smoothing ratios l/Δξ: 1,2,3 or 1:10:0.5 or 3/2, read exactly (default: 2; particle methods 6/5).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list)]
-    ratio: Option<Numbers>,
-    /// Courant number (default: half the stability limit, the limit, and one and a half times it); for particle
-    /// methods c Δt/h (default: 0.25).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::positive)]
-    cfl: Option<Rational>,
-    /// Particles on the ring (default: 200; particle methods 32).
-    #[arg(long, value_name = "N", value_parser = ring)]
+    subject: SubjectOptions,
+    /// Values of the parameter whose limit is sought (default: half the stability limit, the limit, and one and a half times it; for
+    /// particle methods c Δt/h = 0.25).
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers)]
+    cfl: Option<Numbers>,
+    /// Cells or particles on the ring (default: 200; particle methods and equations 32).
+    #[arg(long, alias = "cells", value_name = "N", value_parser = ring)]
     particles: Option<usize>,
     /// Steps of each run (default: 100; waves of particle methods 200).
     #[arg(long, value_name = "N", value_parser = steps)]
@@ -57,11 +45,23 @@ fn steps(text: &str) -> Result<u64, String> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    match arguments.method {
-        Some(method) => particles::run(arguments, method),
-        None => {
-            arguments.particle.reject()?;
-            advection::run(arguments)
-        }
+    let method = arguments.subject.is_method();
+    let ratio = if method { ratio(6, 5) } else { integer(2) };
+    let kernels = Kernel::ALL.to_vec();
+    // Without a subject those that the program ships running codes for.
+    let schemes = (!arguments.subject.is_named())
+        .then(|| AdvectionScheme::ALL.map(AdvectionScheme::name).join(","));
+    let integrators = method.then(|| particles::INTEGRATORS.join(","));
+    let defaults = Defaults { kernels, ratios: vec![ratio], schemes, integrators };
+    let subjects = arguments.subject.subjects(&defaults)?;
+    let running = |subject: &Subject| {
+        subject.kind == Kind::Scheme && subject.file.name.parse::<AdvectionScheme>().is_ok()
+    };
+    if method {
+        return particles::run(arguments, &subjects);
     }
+    if subjects.iter().all(running) {
+        return advection::run(arguments, &subjects);
+    }
+    equations::run(arguments, &subjects)
 }

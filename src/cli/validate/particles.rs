@@ -2,15 +2,13 @@
 
 use super::Arguments;
 use crate::cli::names;
-use crate::cli::numbers::{self, Names};
 use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::subject::Subject;
 use crate::cli::waves::{self, MethodName};
 use crate::cli::{Failure, Outcome};
-use clap::Args;
-use courant::analysis::exact::rational::{Rational, ratio, to_f64, to_text};
-use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::integrator::Integrator;
-use courant::analysis::waves::dispersion::{Form, WaveMethod};
+use courant::analysis::exact::rational::{integer, to_f64, to_text};
+use courant::analysis::kernel::Density;
+use courant::analysis::waves::dispersion::Form;
 use courant::reports::advection_validation::FactorRecord;
 use courant::reports::number::{finite, significant};
 use courant::reports::particle_validation::{
@@ -21,53 +19,48 @@ use courant::reports::table::{Align, Table};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// A method by name.
-pub fn method(text: &str) -> Result<MethodName, String> {
-    MethodName::ALL
-        .into_iter()
-        .find(|method| method.name() == text)
-        .ok_or_else(|| names::unknown("method", text, &MethodName::ALL.map(MethodName::name)))
-}
+/// The integrators of the running particles.
+pub const INTEGRATORS: [&str; 10] = [
+    "forward-euler",
+    "symplectic-euler",
+    "centred-euler",
+    "leapfrog-kdk",
+    "leapfrog-kdk-predicted",
+    "rk2-midpoint",
+    "rk2-heun",
+    "rk3-ssp",
+    "rk4",
+    "predictor-corrector",
+];
 
-/// Options that only particle methods have.
-#[derive(Debug, Args)]
-pub struct Options {
-    /// Viscosity coefficient of sph-av, read exactly (default: 1).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative)]
-    alpha: Option<Rational>,
-    /// Relation of gph: resolved or published (default: resolved).
-    #[arg(long, value_parser = |text: &str| text.parse::<Form>().map_err(|error| error.to_string()))]
-    form: Option<Form>,
-    /// Integrators of particle methods, separated by commas (default: all).
-    #[arg(long, value_parser = |text: &str| numbers::names(text, waves::integrator))]
-    integrator: Option<Names<Integrator>>,
-}
-
-impl Options {
-    /// Complains about options that advection schemes do not have.
-    pub fn reject(&self) -> Result<(), Failure> {
-        let given = [
-            ("--alpha", self.alpha.is_some()),
-            ("--form", self.form.is_some()),
-            ("--integrator", self.integrator.is_some()),
-        ];
-        match given.into_iter().find(|(_, given)| *given) {
-            Some((option, _)) => Err(Failure::Message(format!(
-                "{option}: only particle methods have it; add --method sph, sph-av or gph"
-            ))),
-            None => Ok(()),
-        }
+/// What a subject is to the running particles, `c Δt/h` and their number.
+fn case(subject: &Subject, courant: f64, particles: usize) -> Result<ParticleCase, Failure> {
+    let refused = |message: String| Failure::Message(message);
+    let isothermal = subject.eos.as_ref().is_none_or(|eos| eos.pressure == integer(1));
+    if !isothermal || subject.density == Some(Density::MassPerSpacing) {
+        return Err(refused(
+            "--eos, --density: the running particles are isothermal, their density by summation"
+                .into(),
+        ));
     }
-
-    fn wave_method(&self, name: MethodName) -> Result<WaveMethod, Failure> {
-        if self.alpha.is_some() && name != MethodName::SphAv {
-            return Err(Failure::Message("--alpha: only --method sph-av has a viscosity".into()));
-        }
-        if self.form.is_some() && name != MethodName::Gph {
-            return Err(Failure::Message("--form: only --method gph has two relations".into()));
-        }
-        name.method(self.form, self.alpha.as_ref())
-    }
+    let name = &subject.file.name;
+    let value = |wanted: &str| subject.values.iter().find(|(name, _)| name == wanted);
+    let alpha = value("alpha").map(|(_, value)| value);
+    let name = MethodName::ALL.into_iter().find(|known| known.name() == name).ok_or_else(|| {
+        let all = MethodName::ALL.map(MethodName::name);
+        refused(format!("--method {name}: {}", names::unknown("method", name, &all)))
+    })?;
+    let integrator = subject.integrator.as_ref().map_or("", |integrator| integrator.name.as_str());
+    let (kernel, ratio) = subject.kernel.clone().expect("particle methods have kernels");
+    Ok(ParticleCase {
+        method: name.method(None, alpha)?,
+        kernel,
+        ratio,
+        integrator: waves::integrator(integrator)
+            .map_err(|problem| refused(format!("--integrator {integrator}: {problem}")))?,
+        courant,
+        particles,
+    })
 }
 
 /// A case and what came of it.
@@ -124,25 +117,22 @@ fn largest(errors: impl Iterator<Item = f64>) -> f64 {
     errors.fold(0.0, |most, error| if error.is_nan() { f64::INFINITY } else { most.max(error) })
 }
 
-pub fn run(arguments: &Arguments, name: MethodName) -> Result<Outcome, Failure> {
+pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failure> {
     if arguments.fault.is_some() {
         return Err(Failure::Message("--fault: only advection schemes have it".into()));
     }
-    let method = arguments.particle.wave_method(name)?;
-    let kernels = arguments.kernel.as_ref().map_or(&Kernel::ALL[..], |kernels| &kernels.0);
-    let ratios = arguments.ratio.as_ref().map_or_else(|| vec![ratio(6, 5)], |list| list.0.clone());
-    let integrators =
-        arguments.particle.integrator.as_ref().map_or(&Integrator::ALL[..], |list| &list.0);
-    let courant = arguments.cfl.as_ref().map_or(0.25, to_f64);
     let particles = arguments.particles.unwrap_or(32);
     let steps = arguments.steps.unwrap_or(200) as usize;
     let mut cases = Vec::new();
-    for &kernel in kernels {
-        for ratio in &ratios {
-            for &integrator in integrators {
-                let (method, ratio) = (method.clone(), ratio.clone());
-                cases.push(ParticleCase { method, kernel, ratio, integrator, courant, particles });
-            }
+    for subject in subjects {
+        let sought = subject.sought(true)?;
+        let given = arguments.cfl.iter().flat_map(|values| &values.0).chain(&sought.value);
+        let mut values: Vec<f64> = given.map(to_f64).collect();
+        if values.is_empty() {
+            values.push(0.25);
+        }
+        for courant in values {
+            cases.push(case(subject, courant, particles)?);
         }
     }
     let compared: Vec<Compared> = cases

@@ -1,0 +1,59 @@
+//! `courant map --x … --y …`: any scheme over two of its parameters.
+
+use super::{Arguments, MAX_POINTS};
+use crate::cli::progress::Bar;
+use crate::cli::subject::{Defaults, Subject};
+use crate::cli::{Failure, Outcome, numbers};
+use courant::analysis::stability::SearchPlan;
+use courant::reports::plane_map::{PlaneAxis, plane_map};
+use courant::reports::publish::OutputDirectory;
+
+fn refuse(message: impl Into<String>) -> Failure {
+    Failure::Message(message.into())
+}
+
+pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcome, Failure> {
+    let subjects = arguments.subject.subjects(&Defaults::default())?;
+    for (option, axis) in [("--x", x), ("--y", y)] {
+        numbers::axis(&numbers::Numbers(axis.values.clone()))
+            .map_err(|problem| refuse(format!("{option} {}: {problem}", axis.name)))?;
+    }
+    if x.name == y.name {
+        return Err(refuse(format!("--y {}: it is the parameter of --x", y.name)));
+    }
+    let points = x.values.len() * y.values.len();
+    if points > MAX_POINTS {
+        return Err(refuse(format!(
+            "--x and --y: the map would have {points} points; at most {MAX_POINTS} are accepted"
+        )));
+    }
+    // All of them before the first is written.
+    let bar = Bar::new("map");
+    let mut maps = Vec::new();
+    for (index, subject) in subjects.iter().enumerate() {
+        let step = subject.plane(x, y)?;
+        let progress = |done: usize, all: usize| {
+            let _ = bar.advance(index * all + done, all * subjects.len());
+        };
+        let map = plane_map(&step, x.clone(), y.clone(), &SearchPlan::default(), &progress)
+            .map_err(|error| subject.failure(&error))?;
+        maps.push((subject, map));
+    }
+    bar.finish();
+    let output = OutputDirectory::open(&arguments.out)?;
+    for (subject, map) in maps {
+        let title: Vec<String> = subject.labels().into_iter().map(|label| label.caption).collect();
+        let stem = format!("map_{}_{}_{}", stem(subject), x.name, y.name);
+        super::write(&output, &stem, &map.figure(&title.join(", "))?, map.data_files(&stem))?;
+    }
+    Ok(Outcome::Yes)
+}
+
+/// A name for files.
+fn stem(subject: &Subject) -> String {
+    let words: Vec<String> = subject.labels().into_iter().map(|label| label.cell).collect();
+    let plain = |c: char| if c.is_ascii_alphanumeric() || "-.".contains(c) { c } else { '_' };
+    let text: String = words.join("_").chars().map(plain).collect();
+    let short = text.split('_').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_");
+    short.chars().take(60).collect()
+}

@@ -1,0 +1,318 @@
+//! Any other scheme: multipliers against the equations stepped as they were typed.
+
+use super::Arguments;
+use crate::cli::columns::{empty, subject_cells, subject_columns};
+use crate::cli::output::{Format, paragraphs, print, print_json, table_text};
+use crate::cli::progress::Bar;
+use crate::cli::subject::{Label, Subject, row_name, varying};
+use crate::cli::{Failure, Outcome};
+use courant::analysis::exact::rational::to_f64;
+use courant::analysis::stability::SearchPlan;
+use courant::reports::number::{finite, significant};
+use courant::reports::record::SubjectRecord;
+use courant::reports::table::{Align, Table};
+use courant::simulation::stepping::{
+    Multiplier, RingScheme, SteppingError, Validation, ValidationPlan, validate,
+};
+use rayon::prelude::*;
+use serde::Serialize;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// One subject at one value.
+struct Case {
+    subject: Subject,
+    record: SubjectRecord,
+    symbol: String,
+    value: f64,
+    validation: Validation,
+}
+
+#[derive(Debug, Serialize)]
+struct Row {
+    #[serde(flatten)]
+    subject: SubjectRecord,
+    cfl: f64,
+    mode: usize,
+    phase: f64,
+    branch: usize,
+    predicted: Multiplier,
+    measured: Multiplier,
+    error: Option<f64>,
+    tolerance: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct Record {
+    rows: Vec<Row>,
+    max_error: Option<f64>,
+    tolerance: Option<f64>,
+    tolerance_meaning: Option<&'static str>,
+    failures: Vec<String>,
+    particles: usize,
+    steps: usize,
+    passed: bool,
+}
+
+pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failure> {
+    if arguments.fault.is_some() {
+        return Err(Failure::Message(
+            "--fault: only euler-sph, lax-wendroff-sph and godunov-sph have it".into(),
+        ));
+    }
+    let defaults = ValidationPlan::default();
+    let plan = ValidationPlan {
+        cells: arguments.particles.unwrap_or(defaults.cells),
+        steps: arguments.steps.map_or(defaults.steps, |steps| steps as usize),
+    };
+    let bar = Bar::new("validate");
+    let done = AtomicUsize::new(0);
+    let cases: Vec<Vec<Case>> = subjects
+        .par_iter()
+        .map(|subject| {
+            let cases = cases(arguments, subject, plan);
+            let _ = bar.advance(done.fetch_add(1, Ordering::Relaxed) + 1, subjects.len());
+            cases
+        })
+        .collect::<Result<_, Failure>>()?;
+    bar.finish();
+    let cases: Vec<Case> = cases.into_iter().flatten().collect();
+    let passed = cases.iter().all(|case| case.validation.passed);
+    match arguments.format {
+        Format::Json => print_json("validate", &record(&cases, plan))?,
+        Format::Csv => print(&csv_table(&cases).to_csv())?,
+        format => {
+            let table = match cases.as_slice() {
+                [one] => mode_table(one),
+                several => case_table(several),
+            };
+            let mut text = table_text(&table, format).unwrap_or_default();
+            if format == Format::Table {
+                text.push_str(&paragraphs(&conclusion(&cases, plan)));
+            }
+            print(&text)?
+        }
+    };
+    Ok(if passed { Outcome::Yes } else { Outcome::No })
+}
+
+fn cases(
+    arguments: &Arguments,
+    subject: &Subject,
+    plan: ValidationPlan,
+) -> Result<Vec<Case>, Failure> {
+    let sought = subject.sought(true)?;
+    let failed = |error| subject.failure(&error);
+    let name = &sought.parameter;
+    let given = arguments.cfl.iter().flat_map(|values| &values.0).chain(&sought.value);
+    let mut values: Vec<f64> = given.map(to_f64).collect();
+    if values.is_empty() {
+        // About the limit, if there is one.
+        let range = SearchPlan::default().up_to(subject.range(None));
+        let limit = sought.step.stable_set(name, &range).map_err(failed)?.limit().value();
+        let positive = limit.is_finite() && limit > 0.0;
+        values = if positive { vec![0.5 * limit, limit, 1.5 * limit] } else { vec![0.5] };
+    }
+    let compiled = sought.step.compile().map_err(failed)?;
+    let lattice = subject.lattice()?;
+    let set = sought.step.set_parameters();
+    values
+        .into_iter()
+        .map(|value| {
+            let mut parameters: Vec<(String, f64)> =
+                set.iter().map(|(name, value)| (name.clone(), to_f64(value))).collect();
+            parameters.push((name.clone(), value));
+            let stepped = |error: SteppingError| {
+                let option = match error {
+                    SteppingError::Singular { .. } | SteppingError::NoCells => {
+                        format!("--particles {}, {name} = {value}", plan.cells)
+                    }
+                    _ => format!("{} {}", subject.kind.option(), subject.file.name),
+                };
+                Failure::Message(format!("{option}: {error}"))
+            };
+            let ring = RingScheme::new(
+                &subject.file.equations,
+                lattice.as_ref(),
+                subject.integrator.as_deref(),
+                &parameters,
+            )
+            .map_err(stepped)?;
+            let arguments: Vec<f64> = compiled.parameters().iter().map(|_| value).collect();
+            let predicted = |phase: f64| compiled.multipliers_with_errors(&arguments, phase);
+            Ok(Case {
+                subject: subject.clone(),
+                record: subject.record(&sought.step, Some(name)),
+                symbol: subject.symbol(name),
+                value,
+                validation: validate(&ring, predicted, plan).map_err(stepped)?,
+            })
+        })
+        .collect()
+}
+
+/// The largest; what is no number is larger than every number.
+fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, |most, value| if value.is_nan() { f64::INFINITY } else { most.max(value) })
+}
+
+fn record(cases: &[Case], plan: ValidationPlan) -> Record {
+    let rows = cases.iter().flat_map(|case| {
+        case.validation.rows.iter().map(|row| Row {
+            subject: case.record.clone(),
+            cfl: case.value,
+            mode: row.mode,
+            phase: row.phase,
+            branch: row.branch,
+            predicted: row.predicted,
+            measured: row.measured,
+            error: finite(row.error),
+            tolerance: finite(row.tolerance),
+        })
+    });
+    Record {
+        rows: rows.collect(),
+        max_error: finite(largest(cases.iter().map(|case| case.validation.max_error))),
+        tolerance: finite(largest(cases.iter().map(|case| case.validation.tolerance))),
+        tolerance_meaning: cases.first().map(|case| case.validation.tolerance_meaning),
+        failures: failures(cases),
+        particles: plan.cells,
+        steps: plan.steps,
+        passed: cases.iter().all(|case| case.validation.passed),
+    }
+}
+
+fn failures(cases: &[Case]) -> Vec<String> {
+    let failed = cases.iter().filter_map(|case| Some((case, case.validation.failure.as_ref()?)));
+    failed.map(|(case, what)| format!("{}: {what}", name(case))).collect()
+}
+
+fn name(case: &Case) -> String {
+    let labels = labels(case);
+    let all: Vec<String> = labels.iter().map(|label| label.heading.clone()).collect();
+    row_name(&labels, &all)
+}
+
+fn labels(case: &Case) -> Vec<Label> {
+    let mut labels = case.subject.labels();
+    labels.retain(|label| label.heading != case.symbol);
+    let cell = significant(case.value, 7);
+    let caption = format!("{} = {cell}", case.symbol);
+    labels.push(Label { heading: case.symbol.clone(), cell, caption });
+    labels
+}
+
+fn csv_table(cases: &[Case]) -> Table {
+    let own = [
+        "cfl",
+        "mode",
+        "phase",
+        "branch",
+        "predicted_gain",
+        "predicted_phase",
+        "measured_gain",
+        "measured_phase",
+        "error",
+        "tolerance",
+    ];
+    let columns: Vec<String> = subject_columns().chain(own.map(String::from)).collect();
+    let mut table = empty(&columns);
+    for case in cases {
+        for row in &case.validation.rows {
+            let mut cells = subject_cells(&case.record);
+            cells.extend([case.value.to_string(), row.mode.to_string(), row.phase.to_string()]);
+            cells.push(row.branch.to_string());
+            for multiplier in [row.predicted, row.measured] {
+                cells.extend([multiplier.gain.to_string(), multiplier.phase.to_string()]);
+            }
+            cells.extend([row.error.to_string(), row.tolerance.to_string()]);
+            table.push(cells);
+        }
+    }
+    table
+}
+
+fn mode_table(case: &Case) -> Table {
+    let captions: Vec<String> = labels(case).iter().map(|label| label.caption.clone()).collect();
+    let columns = [
+        ("mode", Align::Right),
+        ("φ", Align::Right),
+        ("branch", Align::Right),
+        ("predicted |z|", Align::Right),
+        ("arg z", Align::Right),
+        ("measured |z|", Align::Right),
+        ("arg z", Align::Right),
+        ("error", Align::Right),
+    ];
+    let mut table = Table::new(
+        format!("{}: multipliers of each wave, predicted and measured", captions.join(", ")),
+        &columns,
+    );
+    for row in &case.validation.rows {
+        let factor = |z: Multiplier| [significant(z.gain, 11), significant(z.phase, 9)];
+        let mut cells =
+            vec![row.mode.to_string(), significant(row.phase, 6), row.branch.to_string()];
+        cells.extend(factor(row.predicted));
+        cells.extend(factor(row.measured));
+        cells.push(significant(row.error, 2));
+        table.push(cells);
+    }
+    table
+}
+
+fn case_table(cases: &[Case]) -> Table {
+    let all: Vec<Vec<Label>> = cases.iter().map(labels).collect();
+    let varying = varying(&all);
+    let mut columns: Vec<(&str, Align)> = varying
+        .iter()
+        .map(|heading| {
+            let label = all.iter().flatten().find(|label| label.heading == *heading);
+            (heading.as_str(), Label::align(label))
+        })
+        .collect();
+    columns.extend([
+        ("largest |z|", Align::Right),
+        ("max error", Align::Right),
+        ("allowed", Align::Right),
+        ("agrees", Align::Left),
+    ]);
+    let shared = all[0].iter().filter(|label| !varying.contains(&label.heading));
+    let mut caption: Vec<String> = shared.map(|label| label.caption.clone()).collect();
+    caption.push("multipliers predicted and measured on the running equations".into());
+    let mut table = Table::new(caption.join(", "), &columns);
+    for (case, labels) in cases.iter().zip(&all) {
+        let cell = |heading: &String| {
+            let label = labels.iter().find(|label| label.heading == *heading);
+            label.map_or_else(|| "–".to_string(), |label| label.cell.clone())
+        };
+        let mut cells: Vec<String> = varying.iter().map(cell).collect();
+        let validation = &case.validation;
+        let gain = largest(validation.rows.iter().map(|row| row.predicted.gain));
+        cells.extend([
+            significant(gain, 7),
+            significant(validation.max_error, 2),
+            significant(validation.tolerance, 2),
+            if validation.passed { "yes" } else { "NO" }.into(),
+        ]);
+        table.push(cells);
+    }
+    table
+}
+
+fn conclusion(cases: &[Case], plan: ValidationPlan) -> Vec<String> {
+    let rows: usize = cases.iter().map(|case| case.validation.rows.len()).sum();
+    let failures = failures(cases);
+    let verdict = match failures.len() {
+        0 => format!("all {rows} multipliers agree"),
+        failed => {
+            format!("{failed} of {} cases do not agree: prediction and run differ", cases.len())
+        }
+    };
+    let error = largest(cases.iter().map(|case| case.validation.max_error));
+    let first = format!(
+        "{verdict}; max error {}; {} cells, {} steps",
+        significant(error, 3),
+        plan.cells,
+        plan.steps
+    );
+    std::iter::once(first).chain(failures).collect()
+}
