@@ -76,6 +76,9 @@ def shortest_of_each_kind(paths):
     shortest = {}
     for path in paths:
         for certificate in json.loads(pathlib.Path(path).read_text())["certificates"]:
+            rows = [row for one in certificate["inequalities"] for row in one["margin"]["coefficients"]]
+            if certificate["question"] == "stability" and min(map(len, rows)) < 2:
+                continue  # no wave to speak of
             kind = f"{certificate['evidence']} {certificate['question']}"
             known = shortest.get(kind, certificate)
             shortest[kind] = min(certificate, known, key=lambda each: len(json.dumps(each)))
@@ -89,7 +92,8 @@ def malformed(certificate):
         place = changed
         for key in path:
             place = place[key]
-        place[last] = change["value"]
+        long = "repeated" in change  # parts of a long text, each with how often it stands there
+        place[last] = "".join(part*times for part, times in change["repeated"]) if long else change["value"]
         yield change["name"], changed
 
 
@@ -125,6 +129,8 @@ if program and refused_by(program, certificate):
     sys.exit("refused by the program as it is")
 for name, changed in malformed(certificate):
     count += 1
+    if json.dumps(changed) == json.dumps(certificate):
+        sys.exit(f"malformed: {name} changes nothing")
     if not is_refused(changed) or program and not refused_by(program, changed):
         passed = True
         print(f"malformed: {name} passes")

@@ -74,6 +74,13 @@ pub fn read(path: &Path) -> Result<Vec<Certificate>, CertificateFileError> {
         .map_err(|source| CertificateFileError::Access { path: path.into(), source })?;
     let file: File = serde_json::from_str(&text)
         .map_err(|source| CertificateFileError::Malformed { path: path.into(), source })?;
+    // Lists would do for records, and a number has one spelling only.
+    let malformed = |source| CertificateFileError::Malformed { path: path.into(), source };
+    let as_read: serde_json::Value = serde_json::from_str(&text).map_err(malformed)?;
+    if serde_json::to_value(&file).map_err(malformed)? != as_read {
+        let source = serde::de::Error::custom("it is not written in the one way there is");
+        return Err(malformed(source));
+    }
     if file.schema != SCHEMA || file.certificates.is_empty() {
         return Err(CertificateFileError::OtherSchema(path.into()));
     }
