@@ -12,18 +12,22 @@
 
 use courant_analysis::exact::rational::{integer, ratio};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::integrator::Integrator;
+use courant_analysis::scheme::{Integrator, LatticeMethod, catalogue};
+use courant_analysis::stability::SearchPlan;
 use courant_analysis::waves::dispersion::sweep::{
     Quantity, even_axis, over_phase_ratio_and_viscosity, stable_step_map,
 };
-use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme, stable_step};
 use courant_analysis::waves::sweep::no_progress;
 use criterion::Criterion;
 use std::hint::black_box;
 
-fn scheme() -> WaveScheme {
-    let method = WaveMethod::SphAv { alpha: integer(1) };
-    WaveScheme::new(method, Kernel::CubicSpline, &ratio(6, 5)).expect("the ratio is in range")
+fn scheme() -> LatticeMethod {
+    let viscous = catalogue::method("sph-av").expect("it is in the catalogue");
+    LatticeMethod::new(viscous, Kernel::CubicSpline, &ratio(6, 5)).expect("the ratio is in range")
+}
+
+fn integrator(name: &str) -> &'static Integrator {
+    Integrator::named(name).expect("it is in the catalogue")
 }
 
 fn sweeps(criterion: &mut Criterion) {
@@ -60,13 +64,17 @@ fn sweeps(criterion: &mut Criterion) {
     let few = even_axis(&integer(1), &integer(2), 20);
     group.bench_function("stable step map 20 x 20, rk4", |bencher| {
         bencher.iter(|| {
-            let integrator = Integrator::Rk4;
+            let integrator = integrator("rk4");
             stable_step_map(black_box(&scheme()), integrator, &few, &factors, 4.0, &no_progress)
         });
     });
-    for integrator in [Integrator::SymplecticEuler, Integrator::Rk4] {
-        group.bench_function(format!("proof of one limit, {integrator}"), |bencher| {
-            bencher.iter(|| stable_step(black_box(&scheme()), integrator, &integer(8)));
+    let plan = SearchPlan::default().up_to(integer(8));
+    for name in ["symplectic-euler", "rk4"] {
+        group.bench_function(format!("proof of one limit, {name}"), |bencher| {
+            bencher.iter(|| {
+                let step = black_box(&scheme()).step(integrator(name)).expect("it serves");
+                step.stable_set("C", &plan)
+            });
         });
     }
     group.finish();

@@ -1,10 +1,10 @@
 //! The relations of Cha & Whitworth 2003, section 4, evaluated as they are printed, term by term in
 //! complex numbers, against the library.
 
-use courant_analysis::exact::rational::{integer, ratio, to_f64};
+use courant_analysis::exact::rational::{integer, ratio};
+use courant_analysis::kernel::Density;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::kernel::{Density, LatticeSums};
-use courant_analysis::waves::dispersion::{Form, WaveMethod, WaveScheme};
+use courant_analysis::scheme::{LatticeMethod, catalogue};
 use num_complex::Complex64;
 
 /// `M = Δ = ρ0 = c = 1`, as the paper's figures have it.
@@ -35,11 +35,6 @@ impl Printed {
         -plus * minus + second
     }
 
-    /// `b_GPH` below (64).
-    fn b_gph(&self, kappa: f64) -> f64 {
-        self.sum(|k, slope, _| Complex64::from((k * kappa).sin() * slope)).re
-    }
-
     /// `b_SPH,AV` below (60), with the denominator as printed.
     fn b_av(&self, kappa: f64, alpha: f64) -> f64 {
         let term = |k: f64, slope: f64| (1.0 - (k * kappa).cos()) / k * slope;
@@ -47,49 +42,22 @@ impl Printed {
     }
 }
 
-fn waves(method: WaveMethod, kernel: Kernel, numerator: i64) -> WaveScheme {
-    let sums = LatticeSums::new(kernel, &ratio(numerator, 10), Density::MassPerSpacing);
-    WaveScheme::with_sums(method, sums.expect("the ratio is in range"))
-}
-
-#[test]
-fn the_published_form_is_the_printed_algebra() {
-    for kernel in [Kernel::CubicSpline, Kernel::QuinticSpline, Kernel::WendlandC4] {
-        for numerator in [10, 12, 15, 23] {
-            let scheme = waves(WaveMethod::Gph { form: Form::Published }, kernel, numerator);
-            let printed = Printed { kernel, h: to_f64(&ratio(numerator, 10)) };
-            let compiled = scheme.compile();
-            for step in 1..=31 {
-                let kappa = 0.1 * f64::from(step);
-                let found = compiled.mode(kappa).frequencies();
-                let (b, squared) = (printed.b_gph(kappa), printed.squared_sph(kappa));
-                // (64). Rounding of sums of ten terms of size ten; the library's roots are the better
-                // ones where b² and 4ω² nearly cancel, which does not happen here.
-                let root = (b * b + 4.0 * squared.re).max(0.0).sqrt();
-                assert!(squared.im.abs() < 1e-13);
-                assert!((found.forward.re - 0.5 * (-b + root)).abs() < 1e-13, "{kernel} {kappa}");
-                assert!((found.backward.re - 0.5 * (-b - root)).abs() < 1e-13, "{kernel} {kappa}");
-                // (62): ω² = ω_SPH² − Σ (1 − e^{iφ}) ∂W ω i.
-                let friction = printed.sum(|k, slope, _| (1.0 - Complex64::cis(k * kappa)) * slope);
-                for omega in [found.forward, found.backward] {
-                    let residual = omega * omega - squared + friction * omega * Complex64::I;
-                    assert!(residual.norm() < 1e-12, "{kernel} {kappa} {residual}");
-                    assert_eq!(omega.im, 0.0, "the printed relation gives no damping");
-                }
-            }
-        }
-    }
+/// With `ρ0 = M/Δ` and `h/Δ` in hundredths.
+fn lattice(name: &str, kernel: Kernel, hundredths: i64) -> LatticeMethod {
+    let method = catalogue::method(name).expect("it is in the list");
+    let lattice = LatticeMethod::new(method, kernel, &ratio(hundredths, 100));
+    lattice.expect("the ratio is in range").with_density(Density::MassPerSpacing)
 }
 
 #[test]
 fn viscosity_as_printed_would_amplify() {
     // (59): ω² − i b ω − ω_SPH² = 0 damps for b < 0. As printed, b is positive; with the denominator
     // (a − b)Δ it is the negative of the library's damping rate.
-    let scheme = waves(WaveMethod::SphAv { alpha: integer(1) }, Kernel::CubicSpline, 12);
+    let waves = lattice("sph-av", Kernel::CubicSpline, 120).waves().unwrap().compile();
     let printed = Printed { kernel: Kernel::CubicSpline, h: 1.2 };
     for step in 1..=31 {
         let kappa = 0.1 * f64::from(step);
-        let mode = scheme.compile().mode(kappa);
+        let mode = waves.mode(kappa);
         let b = printed.b_av(kappa, 1.0);
         assert!(b > 0.0 && (mode.damping - b).abs() < 1e-13);
         assert!((mode.restoring - printed.squared_sph(kappa).re).abs() < 1e-13);
@@ -107,9 +75,8 @@ fn long_waves_are_sound_only_where_the_lattice_sums_are_consistent() {
     // ρ0 = M/Δ = 1 it does so at h = 1, is 8 % at h = 1.1 and 22 % at h = 1.5, and the summation density
     // changes the third digit of that.
     let error = |numerator: i64, density: Density| {
-        let sums = LatticeSums::new(Kernel::CubicSpline, &ratio(numerator, 100), density).unwrap();
-        let scheme = WaveScheme::with_sums(WaveMethod::Sph, sums);
-        let omega = scheme.compile().mode(1e-4).frequencies().forward;
+        let sph = lattice("sph", Kernel::CubicSpline, numerator).with_density(density);
+        let omega = sph.waves().unwrap().compile().mode(1e-4).frequencies().forward;
         courant_analysis::waves::dispersion::phase_error(omega, 1e-4)
     };
     assert!(error(100, Density::MassPerSpacing) < 1e-8);
@@ -126,12 +93,12 @@ fn branches_are_continuous_in_the_wave_number() {
     // a square root lets a step of 1e-4 move a root by at most a few hundredths.
     for kernel in Kernel::ALL {
         for (numerator, alpha) in [(10, 0), (12, 1), (15, 3), (20, 6)] {
-            for method in [
-                WaveMethod::SphAv { alpha: integer(alpha) },
-                WaveMethod::Gph { form: Form::Resolved },
-                WaveMethod::Gph { form: Form::Published },
-            ] {
-                let waves = waves(method, kernel, numerator).compile();
+            for name in ["sph-av", "gph"] {
+                let mut method = lattice(name, kernel, 10 * numerator);
+                if name == "sph-av" {
+                    method = method.with("alpha", &integer(alpha));
+                }
+                let waves = method.waves().unwrap().compile();
                 let mut last = waves.mode(1e-4).frequencies();
                 assert!(last.forward.re > 0.0 && last.backward.re < 0.0);
                 for step in 2..=31_415 {

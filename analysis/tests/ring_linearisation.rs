@@ -4,12 +4,28 @@
 
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::integrator::Integrator;
-use courant_analysis::waves::dispersion::{Form, Mode, WaveMethod, WaveScheme};
+use courant_analysis::kernel::{Density, LatticeSums};
+use courant_analysis::scheme::catalogue::SchemeFile;
+use courant_analysis::scheme::{Integrator, LatticeMethod, catalogue};
+use courant_analysis::waves::dispersion::{stepped_frequencies, two_waves};
 use num_complex::Complex64;
 
 /// Particles on the ring; mass, spacing and sound speed are 1.
 const N: usize = 64;
+
+/// The integrators that [`Ring::step`] writes out.
+const INTEGRATORS: [&str; 10] = [
+    "forward-euler",
+    "symplectic-euler",
+    "centred-euler",
+    "leapfrog-kdk",
+    "leapfrog-kdk-predicted",
+    "rk2-midpoint",
+    "rk2-heun",
+    "rk3-ssp",
+    "rk4",
+    "predictor-corrector",
+];
 
 /// The force between two particles beyond what the kernel says.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,46 +104,42 @@ impl Ring {
     }
 
     /// One step of an integrator, written out once more.
-    fn step(&self, integrator: Integrator, (x, v): &State, dt: f64) -> State {
+    fn step(&self, integrator: &str, (x, v): &State, dt: f64) -> State {
         let add = |p: &[f64], w: f64, q: &[f64]| -> Vec<f64> {
             p.iter().zip(q).map(|(p, q)| p + w * q).collect()
         };
         let force = |x: &[f64], v: &[f64]| self.accelerations(x, v);
         match integrator {
-            Integrator::ForwardEuler => (add(x, dt, v), add(v, dt, &force(x, v))),
-            Integrator::SymplecticEuler => {
+            "forward-euler" => (add(x, dt, v), add(v, dt, &force(x, v))),
+            "symplectic-euler" => {
                 let v = add(v, dt, &force(x, v));
                 (add(x, dt, &v), v)
             }
-            Integrator::CentredEuler => {
+            "centred-euler" => {
                 let new = add(v, dt, &force(x, v));
                 (add(&add(x, 0.5 * dt, v), 0.5 * dt, &new), new)
             }
-            Integrator::LeapfrogKdk | Integrator::LeapfrogKdkPredicted => {
+            "leapfrog-kdk" | "leapfrog-kdk-predicted" => {
                 let a = force(x, v);
                 let half = add(v, 0.5 * dt, &a);
                 let x = add(x, dt, &half);
-                let seen = if integrator == Integrator::LeapfrogKdk {
-                    half.clone()
-                } else {
-                    add(v, dt, &a)
-                };
+                let seen = if integrator == "leapfrog-kdk" { half.clone() } else { add(v, dt, &a) };
                 let a = force(&x, &seen);
                 (x, add(&half, 0.5 * dt, &a))
             }
-            Integrator::Rk2Midpoint => {
+            "rk2-midpoint" => {
                 let a = force(x, v);
                 let (xm, vm) = (add(x, 0.5 * dt, v), add(v, 0.5 * dt, &a));
                 (add(x, dt, &vm), add(v, dt, &force(&xm, &vm)))
             }
-            Integrator::Rk2Heun => {
+            "rk2-heun" => {
                 let a = force(x, v);
                 let (xe, ve) = (add(x, dt, v), add(v, dt, &a));
                 let b = force(&xe, &ve);
                 let x = add(&add(x, 0.5 * dt, v), 0.5 * dt, &ve);
                 (x, add(&add(v, 0.5 * dt, &a), 0.5 * dt, &b))
             }
-            Integrator::Rk3Ssp => {
+            "rk3-ssp" => {
                 let euler = |x: &[f64], v: &[f64]| (add(x, dt, v), add(v, dt, &force(x, v)));
                 let mix = |p: &[f64], w: f64, q: &[f64]| -> Vec<f64> {
                     p.iter().zip(q).map(|(p, q)| (1.0 - w) * p + w * q).collect()
@@ -138,7 +150,7 @@ impl Ring {
                 let (x3, v3) = euler(&x2, &v2);
                 (mix(x, 2.0 / 3.0, &x3), mix(v, 2.0 / 3.0, &v3))
             }
-            Integrator::Rk4 => {
+            "rk4" => {
                 let a1 = force(x, v);
                 let (x2, v2) = (add(x, 0.5 * dt, v), add(v, 0.5 * dt, &a1));
                 let a2 = force(&x2, &v2);
@@ -153,7 +165,7 @@ impl Ring {
                 };
                 (sum(x, [v, &v2, &v3, &v4]), sum(v, [&a1, &a2, &a3, &a4]))
             }
-            Integrator::PredictorCorrector => {
+            "predictor-corrector" => {
                 let (xp, vp) = (add(x, 0.5 * dt, v), add(v, 0.5 * dt, &force(x, v)));
                 let vc = add(v, 0.5 * dt, &force(&xp, &vp));
                 let xc = add(x, 0.5 * dt, &vc);
@@ -161,6 +173,7 @@ impl Ring {
                     |c: &[f64], p: &[f64]| c.iter().zip(p).map(|(c, p)| 2.0 * c - p).collect();
                 (twice(&xc, x), twice(&vc, v))
             }
+            other => panic!("{other} is not written out"),
         }
     }
 
@@ -227,7 +240,8 @@ fn phases() -> impl Iterator<Item = f64> {
     (1..=N / 2).map(|j| std::f64::consts::TAU * j as f64 / N as f64)
 }
 
-fn assert_frequencies(ring: &Ring, scheme: &WaveScheme) {
+/// `F` and `G` of the plain code for every phase.
+fn relations(ring: &Ring) -> Vec<(f64, Complex64, Complex64)> {
     let displaced = derivative(|step| {
         let (mut x, v) = Ring::at_rest();
         x[0] += step;
@@ -238,9 +252,12 @@ fn assert_frequencies(ring: &Ring, scheme: &WaveScheme) {
         v[0] += step;
         ring.accelerations(&x, &v)
     });
-    let waves = scheme.compile();
-    for phase in phases() {
-        let (f, g) = (harmonic(&displaced, phase), harmonic(&moving, phase));
+    phases().map(|phase| (phase, harmonic(&displaced, phase), harmonic(&moving, phase))).collect()
+}
+
+fn assert_frequencies(ring: &Ring, method: &LatticeMethod) {
+    let waves = method.waves().unwrap().compile();
+    for (phase, f, g) in relations(ring) {
         // −ω² = F − iωG.
         let found = roots(-Complex64::I * g, f);
         let expected = waves.mode(phase).frequencies();
@@ -264,26 +281,45 @@ fn lattices() -> Vec<(Kernel, Rational)> {
     ]
 }
 
-fn scheme(method: WaveMethod, kernel: Kernel, h: &Rational) -> WaveScheme {
-    WaveScheme::new(method, kernel, h).expect("the ratios here are in range")
+fn lattice(name: &str, kernel: Kernel, h: &Rational) -> LatticeMethod {
+    let method = catalogue::method(name).expect("it is in the list");
+    LatticeMethod::new(method, kernel, h).expect("the ratios here are in range")
 }
 
 #[test]
 fn every_mode_of_every_method_has_the_frequency_of_the_plain_code() {
-    let gph = |form| WaveMethod::Gph { form };
     for (kernel, h) in lattices() {
-        for (force, method) in [
-            (Force::Pressure, WaveMethod::Sph),
-            (Force::Viscous { alpha: 1.0 }, WaveMethod::SphAv { alpha: integer(1) }),
-            (Force::Viscous { alpha: 4.0 }, WaveMethod::SphAv { alpha: integer(4) }),
-            (Force::Riemann, gph(Form::Resolved)),
+        for (force, name, alpha) in [
+            (Force::Pressure, "sph", None),
+            (Force::Viscous { alpha: 1.0 }, "sph-av", Some(1)),
+            (Force::Viscous { alpha: 4.0 }, "sph-av", Some(4)),
+            (Force::Riemann, "gph", None),
             // At linear order the resolved Riemann problem is a signal-velocity viscosity.
-            (Force::SignalVelocity, gph(Form::Resolved)),
-            // And the printed relation is that of a scheme nobody would write.
-            (Force::RiemannAlwaysLeft, gph(Form::Published)),
+            (Force::SignalVelocity, "gph", None),
         ] {
             let ring = Ring { kernel, h: to_f64(&h), force, pressure: 1.0 };
-            assert_frequencies(&ring, &scheme(method, kernel, &h));
+            let mut method = lattice(name, kernel, &h);
+            if let Some(alpha) = alpha {
+                method = method.with("alpha", &integer(alpha));
+            }
+            assert_frequencies(&ring, &method);
+        }
+    }
+}
+
+/// The relation printed for Godunov particle hydrodynamics, `ω² + S ω − ω_SPH² = 0`, is that of a code nobody would write.
+#[test]
+fn the_printed_relation_takes_every_particle_as_its_own_left_state() {
+    for (kernel, h) in lattices() {
+        let force = Force::RiemannAlwaysLeft;
+        let ring = Ring { kernel, h: to_f64(&h), force, pressure: 1.0 };
+        let sums = LatticeSums::new(kernel, &h, Density::Summation).unwrap().compile();
+        for (phase, f, g) in relations(&ring) {
+            let at = sums.at(phase);
+            let restoring = 2.0 * at.curvature - at.gradient.powi(2);
+            let expected = roots(at.gradient.into(), (-restoring).into());
+            let found = roots(-Complex64::I * g, f);
+            assert_same_pair(found, expected, &format!("{kernel} h {h} κ {phase}"));
         }
     }
 }
@@ -291,59 +327,40 @@ fn every_mode_of_every_method_has_the_frequency_of_the_plain_code() {
 #[test]
 fn other_pressures_and_tension() {
     for pressure in [ratio(5, 7), ratio(0, 1), ratio(-1, 2)] {
-        for force in [Force::Pressure, Force::Viscous { alpha: 1.0 }] {
-            let method = match force {
-                Force::Pressure => WaveMethod::Sph,
-                _ => WaveMethod::SphAv { alpha: integer(1) },
-            };
-            let h = ratio(6, 5);
-            let kernel = Kernel::CubicSpline;
+        for (force, name) in [(Force::Pressure, "sph"), (Force::Viscous { alpha: 1.0 }, "sph-av")] {
+            let (h, kernel) = (ratio(6, 5), Kernel::CubicSpline);
             let ring = Ring { kernel, h: to_f64(&h), force, pressure: to_f64(&pressure) };
-            let scheme = scheme(method, kernel, &h).with_pressure(pressure.clone());
-            assert_frequencies(&ring, &scheme);
+            assert_frequencies(&ring, &lattice(name, kernel, &h).with("P", &pressure));
         }
     }
 }
 
-#[test]
-fn the_published_relation_is_not_that_of_the_real_scheme() {
-    // The test above must be able to fail: long waves of the two differ by more than half.
-    let real = scheme(WaveMethod::Gph { form: Form::Resolved }, Kernel::CubicSpline, &integer(1));
-    let printed =
-        scheme(WaveMethod::Gph { form: Form::Published }, Kernel::CubicSpline, &integer(1));
-    let phase = 1e-3;
-    let speed = |scheme: &WaveScheme| {
-        let waves = scheme.compile().mode(phase).frequencies();
-        [waves.forward.re / phase, waves.backward.re / phase]
-    };
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    for (found, expected) in speed(&printed).into_iter().zip([golden, -1.0 - golden]) {
-        assert!((found - expected).abs() < 1e-6);
-    }
-    for (found, expected) in speed(&real).into_iter().zip([1.0, -1.0]) {
-        assert!((found - expected).abs() < 1e-6);
-    }
-}
+/// As gph, with the difference of neighbours instead of the particle's own: what always taking the left side amounts to.
+const ALWAYS_LEFT: &str = r#"
+name = "always-left"
+equations = """
+x[j]' = u[j]
+s[j] = sum(k, w[k]*(x[j+k] - x[j-k]))/rho
+u[j]' = -(C*ratio)^2*(2*sum(k, v[k]*(2*x[j] - x[j+k] - x[j-k])) + sum(k, w[k]*(s[j+k] - s[j-k])))/rho       + C*ratio*sum(k, w[k]*(u[j+k] - u[j-k]))/rho
+"""
+"#;
 
 #[test]
 fn one_step_of_every_integrator_multiplies_every_mode_as_predicted() {
-    let viscous = WaveMethod::SphAv { alpha: integer(1) };
-    let gph = WaveMethod::Gph { form: Form::Resolved };
-    for (kernel, h, force, method) in [
-        (Kernel::CubicSpline, ratio(6, 5), Force::Riemann, gph.clone()),
-        (Kernel::QuinticSpline, ratio(3, 2), Force::Viscous { alpha: 1.0 }, viscous),
-        (Kernel::CubicSpline, ratio(1, 1), Force::Pressure, WaveMethod::Sph),
-        (
-            Kernel::WendlandC2,
-            ratio(6, 5),
-            Force::RiemannAlwaysLeft,
-            WaveMethod::Gph { form: Form::Published },
-        ),
+    let always_left: &SchemeFile = Box::leak(Box::new(SchemeFile::from_toml(ALWAYS_LEFT).unwrap()));
+    let always_left = LatticeMethod::new(always_left, Kernel::WendlandC2, &ratio(6, 5)).unwrap();
+    for (method, force) in [
+        (lattice("gph", Kernel::CubicSpline, &ratio(6, 5)), Force::Riemann),
+        (lattice("sph-av", Kernel::QuinticSpline, &ratio(3, 2)), Force::Viscous { alpha: 1.0 }),
+        (lattice("sph", Kernel::CubicSpline, &ratio(1, 1)), Force::Pressure),
+        (always_left, Force::RiemannAlwaysLeft),
     ] {
-        let ring = Ring { kernel, h: to_f64(&h), force, pressure: 1.0 };
-        let waves = scheme(method, kernel, &h).compile();
+        let kernel = method.kernel();
+        let ring = Ring { kernel, h: to_f64(method.ratio()), force, pressure: 1.0 };
         let dt = 0.4;
-        for integrator in Integrator::ALL {
+        for integrator in INTEGRATORS {
+            let step = method.step(Integrator::named(integrator).unwrap()).unwrap();
+            let step = step.compile().unwrap();
             let column = |perturb: &dyn Fn(&mut State, f64)| {
                 derivative(|step| {
                     let mut state = Ring::at_rest();
@@ -362,9 +379,10 @@ fn one_step_of_every_integrator_multiplies_every_mode_as_predicted() {
                 let [a, c] = [part(&displaced, 0), part(&displaced, 1)];
                 let [b, d] = [part(&moving, 0), part(&moving, 1)];
                 let found = roots(-(a + d), a * d - b * c);
-                let expected = waves.mode(phase).multipliers(integrator, dt);
+                // c Δt/h
+                let expected = step.multipliers(&[dt / ring.h], phase);
                 let what = format!("{kernel} {force:?} {integrator} κ {phase}");
-                assert_same_pair(found, [expected.forward, expected.backward], &what);
+                assert_same_pair(found, [expected[0], expected[1]], &what);
             }
         }
     }
@@ -373,13 +391,16 @@ fn one_step_of_every_integrator_multiplies_every_mode_as_predicted() {
 #[test]
 fn stepped_frequencies_converge_to_the_continuous_ones() {
     // A long way round both: ω = i ln z/Δt of small steps is the root of the relation.
-    let scheme =
-        scheme(WaveMethod::Gph { form: Form::Resolved }, Kernel::CubicSpline, &ratio(6, 5));
-    for phase in phases() {
-        let mode: Mode = scheme.compile().mode(phase);
-        let exact = mode.frequencies();
-        for integrator in Integrator::ALL {
-            let stepped = mode.stepped_frequencies(integrator, 1e-5);
+    let method = lattice("gph", Kernel::CubicSpline, &ratio(6, 5));
+    let waves = method.waves().unwrap().compile();
+    for integrator in catalogue::integrators() {
+        let time = 1e-5;
+        let Ok(step) = method.step(integrator) else { panic!("{integrator}") };
+        let step = step.compile().unwrap();
+        for phase in phases().step_by(7) {
+            let exact = waves.mode(phase).frequencies();
+            let pair = two_waves(&step, &[time / 1.2], phase, &exact, time);
+            let stepped = stepped_frequencies(pair, time);
             // First order at worst: the error is the step times the square of the frequency.
             assert!((stepped.forward - exact.forward).norm() < 2e-4, "{integrator} {phase}");
             assert!((stepped.backward - exact.backward).norm() < 2e-4, "{integrator} {phase}");

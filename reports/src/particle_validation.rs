@@ -1,18 +1,17 @@
 //! Dispersion relations against running particles: the step of every particle method, mode by mode.
 //!
-//! The prediction is [`courant_analysis::waves::dispersion`]'s relation put through the algorithm of the integrator. The
+//! The prediction is the multipliers of the method's equations completed by the integrator. The
 //! measurement is the step of [`courant_simulation::particles`] on a ring, differentiated by finite differences, or a
 //! wave of small amplitude followed for many steps. The two share the kernel's shape and nothing else.
 
 use crate::number::significant;
 use courant_analysis::exact::rational::{Rational, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::kernel::lattice::RatioOutOfRange;
-use courant_analysis::scheme::integrator::Integrator;
-use courant_analysis::waves::dispersion::{Mode, WaveMethod, WaveScheme};
+use courant_analysis::scheme::{Integrator, LatticeMethod, SchemeError};
+use courant_analysis::waves::multipliers::CompiledStep;
 use courant_simulation::particles::{
-    ActsOn, Amplification, Godunov, IsothermalGas, OwnKernels, PairForce, ParticleMethod,
-    PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity,
+    ActsOn, Amplification, Godunov, IsothermalGas, NotExplicit, Nystrom, OwnKernels, PairForce,
+    ParticleMethod, PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity, table,
 };
 use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
 use courant_simulation::run::Reason;
@@ -44,9 +43,12 @@ pub fn tolerance(gain: f64) -> f64 {
 /// Why nothing can be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum ParticleValidationError {
-    /// The ratio is out of range.
+    /// The equations have no waves of positions and velocities.
     #[error(transparent)]
-    Ratio(#[from] RatioOutOfRange),
+    Scheme(#[from] SchemeError),
+    /// Particles are not stepped so.
+    #[error(transparent)]
+    Integrator(#[from] NotExplicit),
     /// The kernel jumps at a lattice point, where a running code has no derivative.
     #[error(
         "{kernel} at ratio {ratio}: a lattice point stands on the cut at 3h, where the kernel jumps; take another ratio"
@@ -73,14 +75,10 @@ pub enum ParticleValidationError {
 /// What to compare.
 #[derive(Debug, Clone)]
 pub struct ParticleCase {
-    /// The relation that predicts.
-    pub method: WaveMethod,
-    /// The kernel.
-    pub kernel: Kernel,
-    /// `h/Δ`.
-    pub ratio: Rational,
+    /// The equations that predict, on their lattice.
+    pub method: LatticeMethod,
     /// The integrator of the run.
-    pub integrator: Integrator,
+    pub integrator: &'static Integrator,
     /// `c Δt/h`.
     pub courant: f64,
     /// Particles on the ring.
@@ -128,20 +126,13 @@ impl FollowedWave {
     }
 }
 
-/// The running methods that a relation speaks of. Case 4 has no closed relation.
-pub fn codes(method: &WaveMethod) -> &'static [ParticleMethod] {
-    match method {
-        WaveMethod::Sph | WaveMethod::SphAv { .. } => &[ParticleMethod::Sph1, ParticleMethod::Sph2],
-        WaveMethod::Gph { .. } => {
-            &[ParticleMethod::Gph1, ParticleMethod::Gph2, ParticleMethod::Gph3]
-        }
+/// The running methods that equations speak of. Case 4 has no closed relation.
+pub fn codes(method: &LatticeMethod) -> &'static [ParticleMethod] {
+    match method.file().name.as_str() {
+        "sph" | "sph-av" => &[ParticleMethod::Sph1, ParticleMethod::Sph2],
+        "gph" => &[ParticleMethod::Gph1, ParticleMethod::Gph2, ParticleMethod::Gph3],
+        _ => &[],
     }
-}
-
-/// What one step multiplies the two waves of a mode by, by the relation; `step` is `c Δt/Δ`.
-fn predicted(mode: &Mode, integrator: Integrator, step: f64) -> [Complex64; 2] {
-    let multipliers = mode.multipliers(integrator, step);
-    [multipliers.forward, multipliers.backward]
 }
 
 /// The eigenvalues of a matrix of that trace and determinant.
@@ -184,10 +175,14 @@ trait ForceVisitor {
     fn visit<F: PairForce>(self, force: &F) -> Self::Output;
 }
 
-fn with_force<V: ForceVisitor>(code: ParticleMethod, method: &WaveMethod, visitor: V) -> V::Output {
+fn with_force<V: ForceVisitor>(
+    code: ParticleMethod,
+    method: &LatticeMethod,
+    visitor: V,
+) -> V::Output {
     let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
     // What the linear analysis has: both directions, no quadratic term, no softening.
-    let alpha = method.alpha().map_or(0.0, to_f64);
+    let alpha = method.value("alpha").map_or(0.0, to_f64);
     let viscosity = Viscosity { alpha, beta: 0.0, acts_on: ActsOn::All, softening: 0.0 };
     match code {
         ParticleMethod::Gph2 => visitor.visit(&Godunov { weight: Product, solver }),
@@ -205,7 +200,7 @@ fn with_force<V: ForceVisitor>(code: ParticleMethod, method: &WaveMethod, visito
 
 struct Linearise<'a> {
     ring: &'a Ring,
-    integrator: Integrator,
+    table: &'a Nystrom<f64>,
     step: f64,
     mode: usize,
     size: f64,
@@ -214,8 +209,8 @@ struct Linearise<'a> {
 impl ForceVisitor for Linearise<'_> {
     type Output = Result<Amplification, Reason>;
     fn visit<F: PairForce>(self, force: &F) -> Self::Output {
-        let Self { ring, integrator, step, mode, size } = self;
-        let at = |size| ring.amplification(force, integrator, step, mode, size);
+        let Self { ring, table, step, mode, size } = self;
+        let at = |size| ring.amplification(force, table, step, mode, size);
         // 2A(s) − A(2s) has no error of first order in s.
         let (fine, coarse) = (at(size)?, at(2.0 * size)?);
         Ok([0, 1].map(|row| [0, 1].map(|column| 2.0 * fine[row][column] - coarse[row][column])))
@@ -224,7 +219,7 @@ impl ForceVisitor for Linearise<'_> {
 
 struct Follow<'a> {
     ring: &'a Ring,
-    integrator: Integrator,
+    table: &'a Nystrom<f64>,
     step: f64,
     mode: usize,
     steps: usize,
@@ -236,7 +231,7 @@ impl ForceVisitor for Follow<'_> {
     /// `ln z`, the mean over the steps, its imaginary part followed through every turn.
     type Output = Result<Complex64, Reason>;
     fn visit<F: PairForce>(self, force: &F) -> Self::Output {
-        let Self { ring, integrator, step, mode, steps, velocity } = self;
+        let Self { ring, table, step, mode, steps, velocity } = self;
         let count = ring.particles;
         let angle = |j: usize| TAU * ((mode * j) % count) as f64 / count as f64;
         let lattice = ring.lattice();
@@ -250,7 +245,7 @@ impl ForceVisitor for Follow<'_> {
         let start = wave(&x);
         let (mut last, mut turned) = (start, 0.0);
         for _ in 0..steps {
-            (x, v) = ring.step(force, integrator, step, &x, &v)?;
+            (x, v) = ring.step(force, table, step, &x, &v)?;
             let now = wave(&x);
             turned += (now / last).arg();
             last = now;
@@ -261,39 +256,47 @@ impl ForceVisitor for Follow<'_> {
 }
 
 impl ParticleCase {
-    /// "gph (resolved), cubic-spline, h/Δ = 1.2, rk4, c Δt/h = 0.3".
+    /// "GPH, cubic B-spline, h/Δ = 1.2, rk4, c Δt/h = 0.3".
     pub fn title(&self) -> String {
         format!(
             "{}, {}, h/Δ = {}, {}, c Δt/h = {}",
             self.method.title(),
-            self.kernel.title(),
-            significant(to_f64(&self.ratio), 4),
-            self.integrator.name(),
+            self.method.kernel().title(),
+            significant(to_f64(self.method.ratio()), 4),
+            self.integrator.name,
             significant(self.courant, 4)
         )
     }
 
     /// `c Δt/Δ`.
     fn step(&self) -> f64 {
-        self.courant * to_f64(&self.ratio)
+        self.courant * to_f64(self.method.ratio())
     }
 
-    fn prepare(&self) -> Result<(WaveScheme, Ring), ParticleValidationError> {
-        let scheme = WaveScheme::new(self.method.clone(), self.kernel, &self.ratio)?;
-        let ratio = to_f64(&self.ratio);
-        let reach = &self.ratio * Rational::from_integer(3.into());
-        if self.kernel == Kernel::Gaussian && reach.is_integer() {
-            return Err(ParticleValidationError::OnTheCut { kernel: self.kernel, ratio });
+    fn prepare(&self) -> Result<Prepared, ParticleValidationError> {
+        let (kernel, exact, particles) =
+            (self.method.kernel(), self.method.ratio(), self.particles);
+        let ratio = to_f64(exact);
+        let reach = exact * Rational::from_integer(3.into());
+        if kernel == Kernel::Gaussian && reach.is_integer() {
+            return Err(ParticleValidationError::OnTheCut { kernel, ratio });
         }
-        let least = 2 * (self.kernel.support() * ratio).ceil() as usize + 2;
-        if self.particles < least {
-            let particles = self.particles;
+        let least = 2 * (kernel.support() * ratio).ceil() as usize + 2;
+        if particles < least {
             return Err(ParticleValidationError::ShortRing { particles, least });
         }
         let gas = IsothermalGas { sound_speed: 1.0 };
-        let kernel = self.kernel;
-        let particles = self.particles;
-        Ok((scheme, Ring { particles, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: ratio }))
+        Ok(Prepared {
+            predicted: self.method.step(self.integrator)?.compile()?,
+            table: table(self.integrator)?,
+            ring: Ring { particles, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: ratio },
+        })
+    }
+
+    /// What one step multiplies the two waves of a mode by.
+    fn predicted(&self, step: &CompiledStep, mode: usize) -> [Complex64; 2] {
+        let found = step.multipliers(&[self.courant], self.phase(mode));
+        [found[0], found[1]]
     }
 
     fn phase(&self, mode: usize) -> f64 {
@@ -301,27 +304,29 @@ impl ParticleCase {
     }
 }
 
+/// What a case compares.
+struct Prepared {
+    predicted: CompiledStep,
+    table: Nystrom<f64>,
+    ring: Ring,
+}
+
 /// Compares the step of every running method with the relation, for all modes up to the shortest wave.
 ///
 /// ```
-/// use courant_analysis::waves::dispersion::{Form, WaveMethod};
+/// use courant_analysis::scheme::{Integrator, LatticeMethod, catalogue};
 /// use courant_analysis::{kernel::Kernel, exact::rational::ratio};
+/// use courant_reports::cha_whitworth2003::published;
 /// use courant_reports::particle_validation::{ParticleCase, validate_particles};
-/// use courant_analysis::scheme::integrator::Integrator;
-/// let case = |form| ParticleCase {
-///     method: WaveMethod::Gph { form },
-///     kernel: Kernel::CubicSpline,
-///     ratio: ratio(6, 5),
-///     integrator: Integrator::ForwardEuler,
-///     courant: 0.2,
-///     particles: 16,
-/// };
-/// let worst = |form| -> f64 {
-///     let rows = validate_particles(&case(form)).expect("a smooth state");
+/// let worst = |equations| -> f64 {
+///     let method = LatticeMethod::new(equations, Kernel::CubicSpline, &ratio(6, 5)).unwrap();
+///     let integrator = Integrator::named("euler").unwrap();
+///     let case = ParticleCase { method, integrator, courant: 0.2, particles: 16 };
+///     let rows = validate_particles(&case).expect("a smooth state");
 ///     rows.iter().map(|row| row.error).fold(0.0, f64::max)
 /// };
-/// assert!(worst(Form::Resolved) < 1e-6);
-/// assert!(worst(Form::Published) > 0.1);
+/// assert!(worst(catalogue::method("gph").unwrap()) < 1e-6);
+/// assert!(worst(published::equations()) > 0.1);
 /// ```
 ///
 /// # Errors
@@ -329,15 +334,15 @@ impl ParticleCase {
 pub fn validate_particles(
     case: &ParticleCase,
 ) -> Result<Vec<ParticleModeRow>, ParticleValidationError> {
-    let (scheme, ring) = case.prepare()?;
-    let (waves, step, integrator) = (scheme.compile(), case.step(), case.integrator);
+    let Prepared { predicted: compiled, table, ring } = case.prepare()?;
+    let step = case.step();
     let mut rows = Vec::new();
     for &code in codes(&case.method) {
         for mode in 1..=case.particles / 2 {
             let phase = case.phase(mode);
-            let predicted = predicted(&waves.mode(phase), integrator, step);
-            let linearise =
-                Linearise { ring: &ring, integrator, step, mode, size: size(gain(predicted)) };
+            let predicted = case.predicted(&compiled, mode);
+            let size = size(gain(predicted));
+            let linearise = Linearise { ring: &ring, table: &table, step, mode, size };
             let matrix =
                 with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
             let (measured, error) = pair_error(predicted, factors(matrix));
@@ -360,19 +365,18 @@ pub fn follow_wave(
     mode: usize,
     steps: usize,
 ) -> Result<FollowedWave, ParticleValidationError> {
-    let (scheme, ring) = case.prepare()?;
-    let phase = case.phase(mode);
-    let step = case.step();
-    let expected = predicted(&scheme.compile().mode(phase), case.integrator, step);
+    let Prepared { predicted, table, ring } = case.prepare()?;
+    let (phase, step) = (case.phase(mode), case.step());
+    let expected = case.predicted(&predicted, mode);
     // The eigenvector of the running step: what is measured owes the relation nothing but the choice of the wave.
     let size = size(gain(expected));
-    let linearise = Linearise { ring: &ring, integrator: case.integrator, step, mode, size };
+    let linearise = Linearise { ring: &ring, table: &table, step, mode, size };
     let matrix =
         with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
     let ([started, _], _) = pair_error(expected, factors(matrix));
     let [[a, b], _] = matrix;
     let velocity = (started - a) / b;
-    let follow = Follow { ring: &ring, integrator: case.integrator, step, mode, steps, velocity };
+    let follow = Follow { ring: &ring, table: &table, step, mode, steps, velocity };
     let logarithm =
         with_force(code, &case.method, follow).map_err(ParticleValidationError::Step)?;
     // z = e^{−iωΔt}.

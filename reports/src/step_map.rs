@@ -6,8 +6,7 @@ use crate::figure::{
 };
 use crate::npy;
 use courant_analysis::exact::rational::{Rational, to_f64};
-use courant_analysis::scheme::integrator::Integrator;
-use courant_analysis::waves::dispersion::WaveScheme;
+use courant_analysis::scheme::{Integrator, LatticeMethod};
 use courant_analysis::waves::dispersion::sweep::stable_step_map;
 use courant_analysis::waves::sweep::{Progress, SweepError};
 use ndarray::Array2;
@@ -22,7 +21,7 @@ const HIGHEST_TENTHS: u32 = 18;
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepMap {
     /// The integrator.
-    pub integrator: Integrator,
+    pub integrator: &'static Integrator,
     /// `h/Δ`, ascending.
     pub ratios: Vec<f64>,
     /// α, ascending.
@@ -31,18 +30,18 @@ pub struct StepMap {
     pub steps: Array2<f64>,
 }
 
-/// Computes the map; `scheme` is SPH with α = 1. Looked at on a grid of phases, not proved.
+/// Computes the map; `method` is SPH with α = 1. Looked at on a grid of phases, not proved.
 ///
 /// # Errors
 /// When a ratio is out of range or the callback stops the sweep.
 pub fn step_map(
-    scheme: &WaveScheme,
-    integrator: Integrator,
+    method: &LatticeMethod,
+    integrator: &'static Integrator,
     ratios: &[Rational],
     alphas: &[f64],
     progress: Progress<'_>,
 ) -> Result<StepMap, SweepError> {
-    let steps = stable_step_map(scheme, integrator, ratios, alphas, MAX_STEP, progress)?;
+    let steps = stable_step_map(method, integrator, ratios, alphas, MAX_STEP, progress)?;
     let ratios = ratios.iter().map(to_f64).collect();
     Ok(StepMap { integrator, ratios, alphas: alphas.to_vec(), steps })
 }
@@ -112,16 +111,16 @@ mod tests {
     use super::*;
     use courant_analysis::exact::rational::integer;
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::waves::dispersion::WaveMethod;
+    use courant_analysis::scheme::catalogue;
     use courant_analysis::waves::sweep::no_progress;
 
     #[test]
     fn steps_are_limits() {
-        let method = WaveMethod::SphAv { alpha: integer(1) };
-        let viscous = WaveScheme::new(method, Kernel::CubicSpline, &integer(1)).unwrap();
+        let viscous = catalogue::method("sph-av").unwrap();
+        let viscous = LatticeMethod::new(viscous, Kernel::CubicSpline, &integer(1)).unwrap();
+        let leapfrog = Integrator::named("leapfrog-kdk").unwrap();
         let ratios = [integer(1), integer(2)];
-        let map = step_map(&viscous, Integrator::LeapfrogKdk, &ratios, &[0.0, 2.0], &no_progress)
-            .unwrap();
+        let map = step_map(&viscous, leapfrog, &ratios, &[0.0, 2.0], &no_progress).unwrap();
         // At h = Δ without viscosity ω0² ≤ 8 c²/Δ²; at h = 2Δ with α = 2 the limit 3/4 is proved.
         assert!((map.steps[[0, 0]] - 0.5f64.sqrt()).abs() < 1e-9);
         assert!((map.steps[[1, 1]] - 0.75).abs() < 1e-6);

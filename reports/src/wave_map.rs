@@ -6,7 +6,7 @@ use crate::figure::{
 };
 use crate::npy;
 use courant_analysis::exact::rational::{Rational, to_f64};
-use courant_analysis::waves::dispersion::WaveScheme;
+use courant_analysis::scheme::LatticeMethod;
 use courant_analysis::waves::dispersion::sweep::{
     Quantity, over_phase_and_ratio, over_phase_and_viscosity,
 };
@@ -42,14 +42,15 @@ pub struct WaveMap {
     pub damping_ratio: Array2<f64>,
 }
 
-/// The phase error over `(κ, h)`; of `scheme` all but the ratio is used.
+/// The phase error over `(κ, h)`; of `method` all but the ratio is used.
 ///
 /// ```
-/// use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme};
+/// use courant_analysis::scheme::{LatticeMethod, catalogue};
 /// use courant_analysis::{kernel::Kernel, exact::rational::integer, waves::sweep::no_progress};
 /// use courant_reports::wave_map::phase_error_map;
-/// let scheme = WaveScheme::new(WaveMethod::Sph, Kernel::CubicSpline, &integer(1))?;
-/// let map = phase_error_map(&scheme, &[1.0, 2.0], &[integer(1), integer(2)], &no_progress)?;
+/// let sph = catalogue::method("sph").unwrap();
+/// let sph = LatticeMethod::new(sph, Kernel::CubicSpline, &integer(1))?;
+/// let map = phase_error_map(&sph, &[1.0, 2.0], &[integer(1), integer(2)], &no_progress)?;
 /// // At h = Δ: ω² = 4(1 − cos κ) − sin²κ, in units of c²/Δ².
 /// let exact = 1.0 - (4.0 * (1.0 - 2f64.cos()) - 2f64.sin().powi(2)).sqrt() / 2.0;
 /// assert!((map.values[[1, 0]] - exact.abs()).abs() < 1e-14);
@@ -59,31 +60,31 @@ pub struct WaveMap {
 /// # Errors
 /// When a ratio is out of range or the callback stops the sweep.
 pub fn phase_error_map(
-    scheme: &WaveScheme,
+    method: &LatticeMethod,
     kappas: &[f64],
     ratios: &[Rational],
     progress: Progress<'_>,
 ) -> Result<WaveMap, SweepError> {
     let sweep =
-        |quantity, part: Progress<'_>| over_phase_and_ratio(scheme, kappas, ratios, quantity, part);
+        |quantity, part: Progress<'_>| over_phase_and_ratio(method, kappas, ratios, quantity, part);
     let [values, damping_ratio] = both(Quantity::PhaseError, progress, sweep)?;
     let second = ratios.iter().map(to_f64).collect();
     Ok(WaveMap { shown: Shown::PhaseError, kappas: kappas.to_vec(), second, values, damping_ratio })
 }
 
-/// The amplitude left at `t = Δ/c` over `(κ, α)`; `scheme` has α = 1.
+/// The amplitude left at `t = Δ/c` over `(κ, α)`; `method` has α = 1.
 ///
 /// # Errors
 /// When the callback stops the sweep.
 pub fn amplitude_map(
-    scheme: &WaveScheme,
+    method: &LatticeMethod,
     kappas: &[f64],
     alphas: &[f64],
     progress: Progress<'_>,
 ) -> Result<WaveMap, SweepError> {
     let quantity = Quantity::Amplitude(Default::default());
     let sweep = |quantity, part: Progress<'_>| {
-        over_phase_and_viscosity(scheme, kappas, alphas, quantity, part)
+        over_phase_and_viscosity(method, kappas, alphas, quantity, part)
     };
     let [values, damping_ratio] = both(quantity, progress, sweep)?;
     Ok(WaveMap {
@@ -267,22 +268,23 @@ mod tests {
     use super::*;
     use courant_analysis::exact::rational::{integer, ratio};
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::waves::dispersion::{Frequencies, Regime, WaveMethod};
+    use courant_analysis::scheme::catalogue;
+    use courant_analysis::waves::dispersion::{Frequencies, Regime};
     use courant_analysis::waves::sweep::no_progress;
 
-    fn scheme(method: WaveMethod, kernel: Kernel) -> WaveScheme {
-        WaveScheme::new(method, kernel, &ratio(6, 5)).unwrap()
+    fn lattice(name: &str, kernel: Kernel) -> LatticeMethod {
+        LatticeMethod::new(catalogue::method(name).unwrap(), kernel, &ratio(6, 5)).unwrap()
     }
 
     #[test]
     fn amplitudes_are_where_they_belong() {
-        let viscous = scheme(WaveMethod::SphAv { alpha: integer(1) }, Kernel::CubicSpline);
+        let viscous = lattice("sph-av", Kernel::CubicSpline);
         let (kappas, alphas) = ([0.5, 1.5, 3.0], [0.0, 2.0]);
         let map = amplitude_map(&viscous, &kappas, &alphas, &no_progress).unwrap();
         assert_eq!(map.values.dim(), (3, 2));
         for ((i, j), value) in map.values.indexed_iter() {
-            let mode = viscous.compile().mode(kappas[i]);
-            let waves = Frequencies::of(mode.restoring, alphas[j] * mode.damping, 0.0);
+            let mode = viscous.waves().unwrap().compile().mode(kappas[i]);
+            let waves = Frequencies::of(mode.restoring, alphas[j] * mode.damping);
             assert!((value - waves.forward.im.exp()).abs() < 1e-15);
             assert_eq!(map.damping_ratio[[i, j]] > 1.0, waves.regime == Regime::OverDamped);
         }
@@ -312,7 +314,7 @@ mod tests {
     #[test]
     fn an_unstable_lattice_is_named() {
         // The quartic spline loses its restoring force from h/Δ of about 2.1 on.
-        let sph = scheme(WaveMethod::Sph, Kernel::QuarticSpline);
+        let sph = lattice("sph", Kernel::QuarticSpline);
         let kappas: Vec<f64> = (1..=60).map(|index| f64::from(index) * PI / 60.0).collect();
         let ratios = [integer(2), ratio(9, 4), ratio(12, 5)];
         let map = phase_error_map(&sph, &kappas, &ratios, &no_progress).unwrap();

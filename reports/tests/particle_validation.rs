@@ -2,28 +2,33 @@
 
 use courant_analysis::exact::rational::{Rational, integer, ratio};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::waves::dispersion::{Form, WaveMethod};
+use courant_analysis::scheme::catalogue::{self, integrators};
+use courant_analysis::scheme::{Integrator, LatticeMethod};
+use courant_reports::cha_whitworth2003::published;
 use courant_reports::particle_validation::{
     ParticleCase, ParticleValidationError, TOLERANCE, codes, follow_wave, validate_particles,
 };
-use courant_simulation::particles::{Integrator, ParticleMethod};
+use courant_simulation::particles::ParticleMethod;
 
-fn methods() -> [WaveMethod; 3] {
-    [
-        WaveMethod::Sph,
-        WaveMethod::SphAv { alpha: ratio(3, 4) },
-        WaveMethod::Gph { form: Form::Resolved },
-    ]
+/// Every integrator that particle codes can take.
+fn explicit() -> Vec<&'static Integrator> {
+    integrators().iter().filter(|one| one.nystrom().is_some()).collect()
 }
 
+fn named(integrator: &str) -> &'static Integrator {
+    Integrator::named(integrator).unwrap()
+}
+
+fn lattice(name: &str, kernel: Kernel, at: &Rational) -> LatticeMethod {
+    let method = LatticeMethod::new(catalogue::method(name).unwrap(), kernel, at).unwrap();
+    if name == "sph-av" { method.with("alpha", &ratio(3, 4)) } else { method }
+}
+
+const METHODS: [&str; 3] = ["sph", "sph-av", "gph"];
+
 /// 24 particles: enough for the widest kernel here to be shorter than half the ring.
-fn case(
-    method: WaveMethod,
-    kernel: Kernel,
-    ratio: Rational,
-    integrator: Integrator,
-) -> ParticleCase {
-    ParticleCase { method, kernel, ratio, integrator, courant: 0.25, particles: 24 }
+fn case(method: LatticeMethod, integrator: &'static Integrator) -> ParticleCase {
+    ParticleCase { method, integrator, courant: 0.25, particles: 24 }
 }
 
 fn worst(case: &ParticleCase) -> f64 {
@@ -39,9 +44,9 @@ fn every_kernel_method_and_integrator_agrees_mode_by_mode() {
         for ratio in
             [ratio(27, 20), if kernel == Kernel::Gaussian { ratio(11, 10) } else { integer(1) }]
         {
-            for method in methods() {
-                for integrator in Integrator::ALL {
-                    let case = case(method.clone(), kernel, ratio.clone(), integrator);
+            for name in METHODS {
+                for integrator in explicit() {
+                    let case = case(lattice(name, kernel, &ratio), integrator);
                     let error = worst(&case);
                     assert!(error < TOLERANCE, "{}: {error}", case.title());
                 }
@@ -54,8 +59,8 @@ fn every_kernel_method_and_integrator_agrees_mode_by_mode() {
 #[test]
 fn the_published_relation_fails_for_every_kernel() {
     for kernel in Kernel::ALL {
-        let published = WaveMethod::Gph { form: Form::Published };
-        let case = case(published, kernel, ratio(6, 5), Integrator::Rk4);
+        let equations = published::equations();
+        let case = case(LatticeMethod::new(equations, kernel, &ratio(6, 5)).unwrap(), named("rk4"));
         assert!(worst(&case) > 0.1, "{}", case.title());
     }
 }
@@ -64,7 +69,8 @@ fn the_published_relation_fails_for_every_kernel() {
 #[test]
 fn a_per_cent_of_viscosity_is_seen() {
     let with = |alpha: Rational| {
-        case(WaveMethod::SphAv { alpha }, Kernel::CubicSpline, ratio(6, 5), Integrator::Rk4)
+        let viscous = lattice("sph-av", Kernel::CubicSpline, &ratio(6, 5));
+        case(viscous.with("alpha", &alpha), named("rk4"))
     };
     let (right, wrong) = (with(ratio(3, 4)), with(ratio(303, 400)));
     let measured = validate_particles(&right).unwrap();
@@ -80,12 +86,12 @@ fn a_per_cent_of_viscosity_is_seen() {
 /// 4e-8 in each reading, and the mean over the steps divides it by 200.
 #[test]
 fn followed_waves_show_frequency_and_damping() {
-    for method in methods() {
-        for integrator in Integrator::ALL {
+    for name in METHODS {
+        for integrator in explicit() {
             // Strongly damped waves vanish into rounding; these lose less than a factor 1000.
             for mode in [1, 2] {
-                let case = case(method.clone(), Kernel::CubicSpline, ratio(6, 5), integrator);
-                for &code in codes(&method) {
+                let case = case(lattice(name, Kernel::CubicSpline, &ratio(6, 5)), integrator);
+                for &code in codes(&case.method) {
                     let wave = follow_wave(&case, code, mode, 200).unwrap();
                     assert!(
                         wave.error() < TOLERANCE,
@@ -103,14 +109,17 @@ fn followed_waves_show_frequency_and_damping() {
 
 #[test]
 fn what_cannot_be_compared_is_refused() {
-    let gaussian = case(WaveMethod::Sph, Kernel::Gaussian, integer(1), Integrator::Rk2Heun);
+    let gaussian = case(lattice("sph", Kernel::Gaussian, &integer(1)), named("heun"));
     let refused = validate_particles(&gaussian);
     assert!(matches!(refused, Err(ParticleValidationError::OnTheCut { .. })), "{refused:?}");
-    let wide = case(WaveMethod::Sph, Kernel::QuinticSpline, integer(5), Integrator::Rk2Heun);
+    let wide = case(lattice("sph", Kernel::QuinticSpline, &integer(5)), named("heun"));
     let refused = validate_particles(&wide);
     assert!(
         matches!(refused, Err(ParticleValidationError::ShortRing { least: 32, .. })),
         "{refused:?}"
     );
-    assert!(!codes(&WaveMethod::Sph).contains(&ParticleMethod::Gph4));
+    let implicit = case(lattice("sph", Kernel::CubicSpline, &integer(1)), named("bdf2"));
+    let refused = validate_particles(&implicit);
+    assert!(matches!(refused, Err(ParticleValidationError::Integrator(_))), "{refused:?}");
+    assert!(!codes(&implicit.method).contains(&ParticleMethod::Gph4));
 }

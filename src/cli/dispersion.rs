@@ -2,16 +2,16 @@
 
 use super::numbers::{self, Numbers};
 use super::output::{Format, print, print_json, table_text};
-use super::waves::{self, DensityName, MethodName};
+use super::waves::{self, DensityName, Form, MethodName, Relation};
 use super::{Failure, Outcome, names};
 use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::kernel::LatticeSums;
-use courant::analysis::scheme::integrator::Integrator;
+use courant::analysis::scheme::Integrator;
 use courant::analysis::waves::dispersion::{
-    AmplitudeTime, Branch, Form, WaveMethod, WaveScheme, amplitude, phase_error,
+    AmplitudeTime, Branch, Frequencies, amplitude, phase_error, stepped_frequencies, two_waves,
 };
+use courant::reports::cha_whitworth2003::published::PublishedWaves;
 use courant::reports::number::{finite, significant};
 use courant::reports::table::{Align, Table};
 use num_traits::Signed;
@@ -54,7 +54,7 @@ pub struct Arguments {
     form: Option<FormChoice>,
     /// The wave as this integrator steps it (default: exact in time); needs --cfl.
     #[arg(long, value_parser = waves::integrator, requires = "cfl")]
-    integrator: Option<Integrator>,
+    integrator: Option<&'static Integrator>,
     /// Time step c Δt/h of the integrator.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number, requires = "integrator")]
     cfl: Option<Rational>,
@@ -120,7 +120,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             "--ratio and --kappa: the answer would have {count} rows; at most {MAX_ROWS} are accepted"
         )));
     }
-    let cases: Vec<(&WaveMethod, &Rational)> = methods
+    let cases: Vec<(&Relation, &Rational)> = methods
         .iter()
         .flat_map(|method| arguments.ratio.0.iter().map(move |ratio| (method, ratio)))
         .collect();
@@ -137,7 +137,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
 }
 
-fn methods(arguments: &Arguments) -> Result<Vec<WaveMethod>, Failure> {
+fn methods(arguments: &Arguments) -> Result<Vec<Relation>, Failure> {
     let forms = match (arguments.method, arguments.form) {
         (MethodName::Gph, None | Some(FormChoice::Both)) => {
             vec![Some(Form::Published), Some(Form::Resolved)]
@@ -151,20 +151,32 @@ fn methods(arguments: &Arguments) -> Result<Vec<WaveMethod>, Failure> {
 
 fn waves_of(
     arguments: &Arguments,
-    method: &WaveMethod,
+    relation: &Relation,
     ratio: &Rational,
 ) -> Result<Vec<Row>, Failure> {
-    let sums = LatticeSums::new(arguments.kernel, ratio, arguments.density.into())
-        .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
-    let waves = WaveScheme::with_sums(method.clone(), sums).compile();
+    let lattice = relation.lattice(arguments.kernel, ratio, arguments.density.into())?;
+    let exact: Box<dyn Fn(f64) -> Frequencies> = if relation.is_published() {
+        let waves = PublishedWaves::of(&lattice)
+            .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
+        Box::new(move |kappa| waves.frequencies(kappa))
+    } else {
+        let waves = lattice.waves()?.compile();
+        Box::new(move |kappa| waves.mode(kappa).frequencies())
+    };
+    let stepped = match (arguments.integrator, &arguments.cfl) {
+        (Some(integrator), Some(cfl)) => {
+            Some((lattice.step(integrator)?.compile()?, to_f64(cfl), to_f64(&(cfl * ratio))))
+        }
+        _ => None,
+    };
     let mut rows = Vec::new();
     for kappa in arguments.kappa.0.iter().map(to_f64) {
-        let mode = waves.mode(kappa);
-        let found = match (arguments.integrator, &arguments.cfl) {
-            (Some(integrator), Some(cfl)) => {
-                mode.stepped_frequencies(integrator, to_f64(&(cfl * ratio)))
+        let exact = exact(kappa);
+        let found = match &stepped {
+            Some((step, cfl, time)) => {
+                stepped_frequencies(two_waves(step, &[*cfl], kappa, &exact, *time), *time)
             }
-            _ => mode.frequencies(),
+            None => exact,
         };
         for branch in Branch::ALL {
             let omega = found.branch(branch);
@@ -183,11 +195,11 @@ fn waves_of(
                 None
             };
             rows.push(Row {
-                method: method.name(),
-                form: method.form().map(Form::name),
+                method: relation.method.name(),
+                form: relation.form.map(Form::name),
                 kernel: arguments.kernel.name(),
                 ratio: to_text(ratio),
-                alpha: method.alpha().map(to_f64),
+                alpha: relation.alpha(),
                 kappa,
                 branch: branch.name(),
                 omega_re: finite(omega.re + 0.0),
@@ -195,7 +207,7 @@ fn waves_of(
                 phase_error: finite(error),
                 amplitude: finite(left),
                 regime: found.regime_of(branch).name(),
-                integrator: arguments.integrator.map(Integrator::name),
+                integrator: arguments.integrator.map(|integrator| integrator.name.as_str()),
                 cfl: arguments.cfl.as_ref().map(to_f64),
                 reason,
             });
@@ -207,7 +219,7 @@ fn waves_of(
 fn table(arguments: &Arguments, rows: &[Row]) -> Table {
     let stepped = match (arguments.integrator, &arguments.cfl) {
         (Some(integrator), Some(cfl)) => {
-            format!(", stepped by {} with c Δt/h = {}", integrator.title(), to_text(cfl))
+            format!(", stepped by {} with c Δt/h = {}", integrator.title, to_text(cfl))
         }
         _ => ", exact in time".into(),
     };

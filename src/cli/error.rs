@@ -1,7 +1,7 @@
 //! What can go wrong, as one clear line each.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use courant::analysis::waves::dispersion::NoSchemeRuns;
+use courant::analysis::scheme::SchemeError;
 use courant::reports::ferrari2008::ReportError;
 use courant::reports::figure::FigureError;
 use courant::reports::page::PageError;
@@ -35,9 +35,9 @@ impl From<std::io::Error> for Failure {
     }
 }
 
-impl From<NoSchemeRuns> for Failure {
-    fn from(error: NoSchemeRuns) -> Self {
-        Self::Message(format!("--form published: {error}"))
+impl From<SchemeError> for Failure {
+    fn from(error: SchemeError) -> Self {
+        Self::Message(error.to_string())
     }
 }
 

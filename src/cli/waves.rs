@@ -2,10 +2,10 @@
 
 use super::{Failure, names};
 use clap::ValueEnum;
-use courant::analysis::exact::rational::{Rational, integer, to_text};
-use courant::analysis::kernel::Density;
-use courant::analysis::scheme::integrator::Integrator;
-use courant::analysis::waves::dispersion::{Form, WaveMethod};
+use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
+use courant::analysis::kernel::{Density, Kernel};
+use courant::analysis::scheme::{Integrator, LatticeMethod, catalogue};
+use courant::reports::cha_whitworth2003::published;
 use num_traits::Signed;
 
 /// The largest coefficient of viscosity that is looked at.
@@ -41,16 +41,84 @@ impl From<DensityName> for Density {
     }
 }
 
+/// Which relation of Godunov particle hydrodynamics.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// What the scheme does: left and right by position.
+    Resolved,
+    /// As printed.
+    Published,
+}
+
+impl Form {
+    /// The name on the command line and in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Resolved => "resolved",
+            Self::Published => "published",
+        }
+    }
+}
+
+/// A method with its viscosity and form.
+#[derive(Debug, Clone)]
+pub struct Relation {
+    /// The method.
+    pub method: MethodName,
+    /// Only of gph.
+    pub form: Option<Form>,
+    alpha: Option<Rational>,
+}
+
+impl Relation {
+    /// Whether it is the one that no scheme has.
+    pub fn is_published(&self) -> bool {
+        self.form == Some(Form::Published)
+    }
+
+    /// The viscosity coefficient, where there is one.
+    pub fn alpha(&self) -> Option<f64> {
+        self.alpha.as_ref().map(to_f64)
+    }
+
+    /// On a lattice.
+    pub fn lattice(
+        &self,
+        kernel: Kernel,
+        ratio: &Rational,
+        density: Density,
+    ) -> Result<LatticeMethod, Failure> {
+        let file = match self.is_published() {
+            true => published::equations(),
+            false => catalogue::method(self.method.name()).expect("it is in the catalogue"),
+        };
+        let lattice = LatticeMethod::new(file, kernel, ratio)
+            .map_err(|error| Failure::Message(format!("--ratio: {error}")))?
+            .with_density(density);
+        Ok(match &self.alpha {
+            Some(alpha) => lattice.with("alpha", alpha),
+            None => lattice,
+        })
+    }
+
+    /// The name for titles and captions.
+    pub fn title(&self) -> String {
+        match (self.method, &self.alpha, self.form) {
+            (MethodName::SphAv, Some(alpha), _) => {
+                format!("SPH with viscosity, α = {}", to_text(alpha))
+            }
+            (MethodName::Gph, _, Some(form)) => format!("GPH ({})", form.name()),
+            _ => "SPH".into(),
+        }
+    }
+}
+
 impl MethodName {
     /// All methods, in the order they are listed.
     pub const ALL: [Self; 3] = [Self::Sph, Self::SphAv, Self::Gph];
 
     /// The method with its viscosity and form; each is refused where the method has none.
-    pub fn method(
-        self,
-        form: Option<Form>,
-        alpha: Option<&Rational>,
-    ) -> Result<WaveMethod, Failure> {
+    pub fn method(self, form: Option<Form>, alpha: Option<&Rational>) -> Result<Relation, Failure> {
         if let (Some(alpha), Self::Sph | Self::Gph) = (alpha, self) {
             return Err(Failure::Message(format!(
                 "--alpha {}: {} has no viscosity coefficient; only sph-av takes it",
@@ -65,36 +133,29 @@ impl MethodName {
                 self.name()
             )));
         }
-        Ok(match self {
-            Self::Sph => WaveMethod::Sph,
-            Self::SphAv => {
-                WaveMethod::SphAv { alpha: alpha.cloned().unwrap_or_else(|| integer(1)) }
-            }
-            Self::Gph => WaveMethod::Gph { form: form.unwrap_or_default() },
+        let is = |method| self == method;
+        Ok(Relation {
+            method: self,
+            form: is(Self::Gph).then(|| form.unwrap_or(Form::Resolved)),
+            alpha: is(Self::SphAv).then(|| alpha.cloned().unwrap_or_else(|| integer(1))),
         })
     }
 
     /// The name on the command line and in files.
     pub fn name(self) -> &'static str {
-        self.example().name()
-    }
-
-    /// The method with the settings that are the default.
-    pub fn example(self) -> WaveMethod {
         match self {
-            Self::Sph => WaveMethod::Sph,
-            Self::SphAv => WaveMethod::SphAv { alpha: integer(1) },
-            Self::Gph => WaveMethod::Gph { form: Form::default() },
+            Self::Sph => "sph",
+            Self::SphAv => "sph-av",
+            Self::Gph => "gph",
         }
     }
 }
 
-/// An integrator by name or alias.
-pub fn integrator(text: &str) -> Result<Integrator, String> {
-    text.parse()
-        .map_err(|_| names::unknown("integrator", text, &Integrator::ALL.map(Integrator::name)))
+/// An integrator by name, alias or file.
+pub fn integrator(text: &str) -> Result<&'static Integrator, String> {
+    // An argument, read once: it lives as long as the program.
+    names::integrator(text, true).map(|found| &*Box::leak(Box::new((*found).clone())))
 }
-
 
 /// A coefficient of viscosity.
 pub fn alpha(text: &str) -> Result<Rational, String> {

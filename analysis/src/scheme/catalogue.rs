@@ -2,7 +2,7 @@
 
 use crate::exact::laurent::Laurent;
 use crate::exact::rational::{Rational, parse as parse_number};
-use crate::scheme::integrator_data::{Integrator, one_line};
+use crate::scheme::integrator::{Integrator, one_line};
 use crate::scheme::kernel_function::KernelLattice;
 use crate::scheme::language::syntax::{Equations, Expression, Node};
 use crate::scheme::language::{LanguageError, parse, parse_expression};
@@ -177,22 +177,52 @@ impl SchemeFile {
         values: &[(String, Rational)],
         sought: Option<&str>,
     ) -> Result<Step, SchemeError> {
-        let mut step = match integrator {
-            Some(integrator) => {
-                Step::lines(&Lines::from_tree(&self.equations, lattice)?, integrator)?
-            }
-            None => Step::from_tree(&self.equations, lattice)?,
-        };
+        if let Some(integrator) = integrator {
+            return Step::lines(&self.lines(lattice, values, sought)?, integrator);
+        }
+        let mut step = Step::from_tree(&self.equations, lattice)?;
         for (name, value) in values {
             step = step.with(name, value)?;
         }
-        for (name, value) in &self.parameters {
-            let given = values.iter().any(|(known, _)| known == name) || sought == Some(name);
-            if !given && step.free_parameters().contains(name) {
+        for (name, value) in self.defaults(values, sought) {
+            if step.free_parameters().contains(name) {
                 step = step.with(name, value)?;
             }
         }
         Ok(step)
+    }
+
+    /// The equations of lines that an integrator completes, with values as in [`step`](Self::step).
+    ///
+    /// # Errors
+    /// When text and kernel do not go together, or the equations are none of lines.
+    pub fn lines(
+        &self,
+        lattice: Option<&KernelLattice>,
+        values: &[(String, Rational)],
+        sought: Option<&str>,
+    ) -> Result<Lines, SchemeError> {
+        let mut lines = Lines::from_tree(&self.equations, lattice)?;
+        for (name, value) in values {
+            lines = lines.with(name, value)?;
+        }
+        for (name, value) in self.defaults(values, sought) {
+            if lines.names().parameter(name).is_some() {
+                lines = lines.with(name, value)?;
+            }
+        }
+        Ok(lines)
+    }
+
+    /// The defaults of parameters that nobody gave a value.
+    fn defaults(
+        &self,
+        values: &[(String, Rational)],
+        sought: Option<&str>,
+    ) -> impl Iterator<Item = (&String, &Rational)> {
+        let given =
+            move |name: &str| values.iter().any(|(known, _)| known == name) || sought == Some(name);
+        self.parameters.iter().filter(move |(name, _)| !given(name))
     }
 }
 

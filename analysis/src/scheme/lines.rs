@@ -2,13 +2,14 @@
 
 use crate::exact::laurent::{Laurent, NAMES, Variable};
 use crate::exact::matrix::{MOST_ROWS, Matrix};
-use crate::scheme::integrator_data::{Coefficient, Integrator, IntegratorForm, Nystrom};
+use crate::exact::rational::Rational;
+use crate::scheme::integrator::{Coefficient, Integrator, IntegratorForm, Nystrom};
 use crate::scheme::kernel_function::KernelLattice;
 use crate::scheme::language::syntax::Equations;
 use crate::scheme::language::{LanguageError, parse};
 use crate::scheme::linear::{LinearEquations, Place, constant};
 use crate::scheme::names::{Fraction, Names, TooManyNames};
-use crate::scheme::step::{Rows, SchemeError, Step};
+use crate::scheme::step::{Rows, SchemeError, Step, denominators_at, row_at};
 use num_traits::Zero;
 
 /// `M U' = L U` on the lattice, with matrices of Laurent polynomials in the shifts; time counts steps.
@@ -28,6 +29,19 @@ pub struct Lines {
     dimension: usize,
     names: Names,
     denominators: Vec<Laurent>,
+    set: Vec<(String, Rational)>,
+}
+
+/// `x' = v, M v' = F x + G v` on every wave: what the columns of [`Lines`] are.
+pub(crate) struct Motion<'a> {
+    pub(crate) position: usize,
+    pub(crate) velocity: usize,
+    /// `M`.
+    pub(crate) inertia: &'a Laurent,
+    /// `F`.
+    pub(crate) restoring: &'a Laurent,
+    /// `G`.
+    pub(crate) damping: &'a Laurent,
 }
 
 impl Lines {
@@ -94,6 +108,60 @@ impl Lines {
             dimension: linear.dimension,
             names: linear.names,
             denominators: rows.denominators,
+            set: Vec::new(),
+        })
+    }
+
+    /// With a value for a parameter.
+    ///
+    /// # Errors
+    /// When there is no such parameter, or a denominator vanishes.
+    pub fn with(&self, name: &str, value: &Rational) -> Result<Self, SchemeError> {
+        let variable = self.names.known_parameter(name)?;
+        let size = self.unknowns.len();
+        let rows: Vec<Vec<Laurent>> = (0..size)
+            .map(|row| {
+                let (mass, rates) = (&self.mass.rows()[row], &self.rates.rows()[row]);
+                row_at(mass.iter().chain(rates), variable, value)
+            })
+            .collect();
+        let part = |from: usize| {
+            Matrix::new(rows.iter().map(|row| row[from..from + size].to_vec()).collect())
+        };
+        let mut set = self.set.clone();
+        set.push((name.to_string(), value.clone()));
+        Ok(Self {
+            mass: part(0),
+            rates: part(size),
+            denominators: denominators_at(&self.denominators, variable, name, value)?,
+            set,
+            ..self.clone()
+        })
+    }
+
+    /// As positions and velocities, if they are.
+    pub(crate) fn motion(&self) -> Option<Motion<'_>> {
+        if self.unknowns.len() != 2 {
+            return None;
+        }
+        let (mass, rates) = (self.mass.rows(), self.rates.rows());
+        let is_position = |row: usize, x: usize| {
+            let v = 1 - x;
+            mass[row][v].is_zero()
+                && rates[row][x].is_zero()
+                && mass[row][x] == rates[row][v]
+                && mass[1 - row][x].is_zero()
+                && mass[row][x].as_monomial().is_some()
+        };
+        let (row, x) =
+            [(0, 0), (1, 1), (0, 1), (1, 0)].into_iter().find(|&(row, x)| is_position(row, x))?;
+        let (dynamic, v) = (1 - row, 1 - x);
+        Some(Motion {
+            position: x,
+            velocity: v,
+            inertia: &mass[dynamic][v],
+            restoring: &rates[dynamic][x],
+            damping: &rates[dynamic][v],
         })
     }
 
@@ -170,7 +238,7 @@ impl Step {
             dimension: space.dimension,
             names,
             denominators: space.denominators.clone(),
-            set: Vec::new(),
+            set: space.set.clone(),
         })
     }
 }
@@ -285,29 +353,12 @@ fn nystrom(
     table: &Nystrom<Coefficient>,
     names: &mut Names,
 ) -> Result<Matrix, SchemeError> {
-    let refused = || {
+    let motion = space.motion().ok_or_else(|| {
         SchemeError::Integrator(
             "this integrator is for positions and velocities: it needs two equations, x[j]' = v[j] and one for v[j]'".into(),
         )
-    };
-    if space.unknowns.len() != 2 {
-        return Err(refused());
-    }
-    let (mass, rates) = (space.mass.rows(), space.rates.rows());
-    let is_position = |row: usize, x: usize| {
-        let v = 1 - x;
-        mass[row][v].is_zero()
-            && rates[row][x].is_zero()
-            && mass[row][x] == rates[row][v]
-            && mass[1 - row][x].is_zero()
-            && mass[row][x].as_monomial().is_some()
-    };
-    let (kinematic, x) = [(0, 0), (1, 1), (0, 1), (1, 0)]
-        .into_iter()
-        .find(|&(row, x)| is_position(row, x))
-        .ok_or_else(refused)?;
-    let (dynamic, v) = (1 - kinematic, 1 - x);
-    let (inertia, restoring, damping) = (&mass[dynamic][v], &rates[dynamic][x], &rates[dynamic][v]);
+    })?;
+    let Motion { position: x, velocity: v, inertia, restoring, damping } = motion;
     let stages = table.c.len();
     let columns = 2 + stages;
     let advance = Laurent::variable(Variable::TIME) - Laurent::integer(1);

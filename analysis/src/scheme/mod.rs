@@ -4,11 +4,11 @@
 
 pub mod catalogue;
 mod constants;
-pub mod integrator;
-mod integrator_data;
+mod integrator;
 mod kernel_function;
 pub mod lagrangian;
 pub mod language;
+mod lattice_method;
 mod linear;
 mod lines;
 mod names;
@@ -16,8 +16,9 @@ mod one_step;
 mod step;
 pub mod symbol;
 
-pub use integrator_data::{Coefficient, Integrator, IntegratorFileError, IntegratorForm, Nystrom};
+pub use integrator::{Coefficient, Integrator, IntegratorFileError, IntegratorForm, Nystrom};
 pub use kernel_function::KernelLattice;
+pub use lattice_method::{COURANT, LatticeMethod};
 pub use lines::Lines;
 pub use names::{Letter, LetterKind, Name, Names};
 pub use one_step::OneStep;

@@ -173,24 +173,10 @@ impl Step {
     /// When there is no such parameter.
     pub fn with(&self, name: &str, value: &Rational) -> Result<Self, SchemeError> {
         let variable = self.variable(name)?;
-        let rows = self.matrix.rows().iter().map(|row| {
-            // Every entry of a row times the same power of the denominator.
-            let degree = row.iter().map(|entry| entry.degree(variable)).max().unwrap_or(0);
-            row.iter()
-                .map(|entry| {
-                    let missing = (degree - entry.degree(variable)) as u32;
-                    entry.at_fraction(variable, value).scaled(&value.denom().pow(missing))
-                })
-                .collect()
-        });
+        let rows = self.matrix.rows().iter().map(|row| row_at(row.iter(), variable, value));
         let mut set = self.set.clone();
         set.push((name.to_string(), value.clone()));
-        let denominators: Vec<Laurent> =
-            self.denominators.iter().map(|d| d.at_fraction(variable, value)).collect();
-        if denominators.iter().any(Laurent::is_zero) {
-            let value = crate::exact::rational::to_text(value);
-            return Err(SchemeError::Denominator { name: name.into(), value });
-        }
+        let denominators = denominators_at(&self.denominators, variable, name, value)?;
         Ok(Self { matrix: Matrix::new(rows.collect()), denominators, set, ..self.clone() })
     }
 
@@ -221,10 +207,7 @@ impl Step {
     }
 
     pub(crate) fn variable(&self, name: &str) -> Result<Variable, SchemeError> {
-        self.names.parameter(name).ok_or_else(|| SchemeError::UnknownParameter {
-            name: name.into(),
-            known: self.names.parameters().map(|(name, _)| name.to_string()).collect(),
-        })
+        self.names.known_parameter(name)
     }
 
     /// `χ(z) = det P`, auxiliaries substituted first: without the powers of `z`, `E` and names and the integer that all its terms
@@ -252,6 +235,36 @@ impl Step {
     }
 }
 
+/// A row of equations with a value for a parameter: every entry times the same power of the value's denominator.
+pub(crate) fn row_at<'a>(
+    row: impl Iterator<Item = &'a Laurent> + Clone,
+    variable: Variable,
+    value: &Rational,
+) -> Vec<Laurent> {
+    let degree = row.clone().map(|entry| entry.degree(variable)).max().unwrap_or(0);
+    row.map(|entry| {
+        let missing = (degree - entry.degree(variable)) as u32;
+        entry.at_fraction(variable, value).scaled(&value.denom().pow(missing))
+    })
+    .collect()
+}
+
+/// Denominators with a value for a parameter.
+pub(crate) fn denominators_at(
+    denominators: &[Laurent],
+    variable: Variable,
+    name: &str,
+    value: &Rational,
+) -> Result<Vec<Laurent>, SchemeError> {
+    let denominators: Vec<Laurent> =
+        denominators.iter().map(|d| d.at_fraction(variable, value)).collect();
+    if denominators.iter().any(Laurent::is_zero) {
+        let value = crate::exact::rational::to_text(value);
+        return Err(SchemeError::Denominator { name: name.into(), value });
+    }
+    Ok(denominators)
+}
+
 /// The centre of a cosine series as a Laurent polynomial over an integer.
 pub(crate) fn laurent_of(series: &EnclosedSeries) -> (Laurent, Laurent) {
     let center = series.center();
@@ -266,6 +279,16 @@ pub(crate) fn laurent_of(series: &EnclosedSeries) -> (Laurent, Laurent) {
         [at(1), at(-1)]
     });
     (Laurent::new(terms.collect()), Laurent::constant(common))
+}
+
+impl Names {
+    /// The variable of a parameter that must occur.
+    pub(crate) fn known_parameter(&self, name: &str) -> Result<Variable, SchemeError> {
+        self.parameter(name).ok_or_else(|| SchemeError::UnknownParameter {
+            name: name.into(),
+            known: self.parameters().map(|(name, _)| name.to_string()).collect(),
+        })
+    }
 }
 
 /// The matrix of equations, with fractions cleared row by row.

@@ -79,6 +79,30 @@ fn symmetric(polynomial: Laurent) -> Option<Laurent> {
     centred.is_real().then_some(centred)
 }
 
+/// A real polynomial in the waves and letters as `s^a (1 − s)^b` times a cosine series, and `a` and `b`; `None` if it is not real or has
+/// parameters.
+pub(crate) fn even_series(
+    polynomial: &Laurent,
+    names: &Names,
+) -> Option<(EnclosedSeries, usize, usize)> {
+    let parameters = names.parameters().any(|(_, variable)| polynomial.contains(variable));
+    if parameters || !polynomial.is_real() {
+        return None;
+    }
+    let (groups, phase_power, complement_power) = grouped(polynomial, None);
+    let mut powers = BTreeMap::new();
+    let mut sum = EnclosedSeries::constant(Rational::zero());
+    for ((_, letters), series) in groups {
+        let rational = series.map(|value| Rational::from(value.clone()));
+        let mut term = EnclosedSeries::new(rational.coefficients(), Rational::zero());
+        for (place, power) in letters {
+            term = term.times(&power_of_letter(&mut powers, names, place, power, true));
+        }
+        sum = sum.plus(&term);
+    }
+    Some((sum, phase_power, complement_power))
+}
+
 /// The margin of a real polynomial in the waves, one parameter and letters, times `scale`.
 pub(crate) fn margin_of(
     polynomial: &Laurent,

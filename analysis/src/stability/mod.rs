@@ -22,6 +22,7 @@ pub use accuracy_study::{AccuracyRow, LimitMethod, accuracy_study};
 pub use conditions::{Condition, Conditions, Requirement};
 pub use decision::{Demands, SearchPlan, decide_step_at};
 pub use inequality::Inequality;
+pub(crate) use inequality::even_series;
 pub use limit::{Binding, Cause, Evidence, ExactValue, Limit};
 #[cfg(test)]
 pub(crate) use monotonicity::enclosed_coefficients;
@@ -29,11 +30,12 @@ pub use monotonicity::monotonicity_limit;
 pub use pointwise::{PointVerdict, decide_at};
 pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
 pub use singular::SingularStep;
+#[cfg(test)]
+pub(crate) use stable_set::stable_set_of;
 pub use stable_set::{
     DEFAULT_BITS, StableInterval, StableSet, growth_limit, growth_set_beyond, stability_limit,
     stable_set, stable_set_to,
 };
 pub(crate) use stable_set::{
-    FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, phase_of, phase_parameter,
-    search_within, stable_set_of,
+    FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, phase_parameter, search_within,
 };

@@ -151,6 +151,7 @@ pub fn growth_set_beyond(
     search(&Margin::new(symbol, growth), max_courant, &known, bits)
 }
 
+#[cfg(test)]
 /// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
 pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
     search(margin, max_courant, &Rational::zero(), DEFAULT_BITS)

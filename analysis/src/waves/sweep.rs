@@ -3,6 +3,7 @@
 use crate::exact::rational::{Rational, integer};
 use crate::kernel::Kernel;
 use crate::kernel::lattice::RatioOutOfRange;
+use crate::scheme::SchemeError;
 use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
 use crate::stability::margin::Margin;
 use crate::waves::growth::PhaseTable;
@@ -29,6 +30,9 @@ pub enum SweepError {
     /// A ratio of the axis is out of range.
     #[error(transparent)]
     Ratio(#[from] RatioOutOfRange),
+    /// The scheme does not serve.
+    #[error(transparent)]
+    Scheme(#[from] SchemeError),
 }
 
 /// The results of `work` on all items, in parallel and in their order; the callback hears of each.

@@ -11,9 +11,9 @@ use crate::CatalogueItem;
 use crate::figure::Figure;
 use crate::page::{Item, Publish, Section};
 use courant_analysis::exact::rational::{Rational, ratio};
+use courant_analysis::kernel::Density;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::kernel::{Density, LatticeSums};
-use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme};
+use courant_analysis::scheme::{Integrator, LatticeMethod, catalogue};
 use courant_analysis::waves::sweep::{Progress, SweepError};
 use std::f64::consts::PI;
 
@@ -92,10 +92,33 @@ fn usual_ratio() -> Rational {
     ratio(6, 5)
 }
 
-/// A scheme of the cubic spline with `ρ0 = M/Δ`, as the paper draws its figures.
-fn paper_scheme(method: WaveMethod, at: &Rational) -> Result<WaveScheme, SweepError> {
-    let sums = LatticeSums::new(Kernel::CubicSpline, at, Density::MassPerSpacing)?;
-    Ok(WaveScheme::with_sums(method, sums))
+/// The integrators that particle codes are stepped by.
+const INTEGRATORS: [&str; 10] = [
+    "forward-euler",
+    "symplectic-euler",
+    "centred-euler",
+    "leapfrog-kdk",
+    "leapfrog-kdk-predicted",
+    "rk2-midpoint",
+    "rk2-heun",
+    "rk3-ssp",
+    "rk4",
+    "predictor-corrector",
+];
+
+fn integrator(name: &str) -> &'static Integrator {
+    Integrator::named(name).expect("it is in the catalogue")
+}
+
+/// A method of the catalogue with the density that its particles sum.
+fn lattice(name: &str, kernel: Kernel, at: &Rational) -> Result<LatticeMethod, SweepError> {
+    let method = catalogue::method(name).expect("it is in the catalogue");
+    Ok(LatticeMethod::new(method, kernel, at)?)
+}
+
+/// A method with the cubic spline and `ρ0 = M/Δ`, as the paper draws its figures.
+fn paper_lattice(name: &str, at: &Rational) -> Result<LatticeMethod, SweepError> {
+    Ok(lattice(name, Kernel::CubicSpline, at)?.with_density(Density::MassPerSpacing))
 }
 
 /// `count` phases up to π, the first a `count`th of it.

@@ -3,6 +3,7 @@
 
 pub mod dispersion;
 pub mod particle_tests;
+pub mod published;
 
 pub use crate::ferrari2008::{Detail, ReportError};
 

@@ -16,8 +16,7 @@ use crate::run::Reason;
 /// when that step begins and its impulse goes to both, so that momentum is conserved to round-off
 /// whatever the levels. A particle takes the sum of its impulses at the end of its own step; until
 /// then it moves with its old velocity. With time-centred work the total energy is conserved to round-off
-/// too. With a single level this is
-/// [`Integrator::CentredEuler`](super::Integrator::CentredEuler).
+/// too. With a single level this is centred Euler.
 ///
 /// Density and pairs are renewed for everybody in every substep; what is saved is Riemann problems.
 #[derive(Debug, Clone)]

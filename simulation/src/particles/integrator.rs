@@ -8,40 +8,43 @@ use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
 use crate::run::Reason;
 
-/// The integrators of the linear analysis: `v' = v + dt Σ b_k a_k` with the rates of each stage; positions and
-/// energies follow in [`Stepper::step`].
-pub use courant_analysis::scheme::integrator::Integrator;
+pub use courant_analysis::scheme::{Integrator, Nystrom};
 
-/// `(c, b)` of each stage: it starts `c·dt` along the rates of the stage before, and its own
-/// rates enter the step with weight `b`.
-fn stages(integrator: Integrator) -> &'static [(f64, f64)] {
-    const SIXTH: f64 = 1.0 / 6.0;
-    match integrator {
-        Integrator::ForwardEuler | Integrator::SymplecticEuler | Integrator::CentredEuler => {
-            &[(0.0, 1.0)]
-        }
-        Integrator::Rk2Midpoint | Integrator::PredictorCorrector => &[(0.0, 0.0), (0.5, 1.0)],
-        Integrator::Rk3Ssp => &[(0.0, SIXTH), (1.0, SIXTH), (0.5, 4.0 * SIXTH)],
-        Integrator::Rk2Heun | Integrator::LeapfrogKdk | Integrator::LeapfrogKdkPredicted => {
-            &[(0.0, 0.5), (1.0, 0.5)]
-        }
-        Integrator::Rk4 => &[(0.0, SIXTH), (0.5, 2.0 * SIXTH), (0.5, 2.0 * SIXTH), (1.0, SIXTH)],
-    }
+/// An integrator that no running particle code can take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("integrator = {0}: particles are stepped by explicit Runge–Kutta and Nyström methods only")]
+pub struct NotExplicit(pub &'static str);
+
+/// The table that a particle code steps by.
+///
+/// # Errors
+/// When the integrator is a multistep or an implicit one.
+pub fn table(integrator: &'static Integrator) -> Result<Nystrom<f64>, NotExplicit> {
+    integrator.nystrom().ok_or(NotExplicit(&integrator.name))
+}
+
+/// Rates kept of a stage.
+#[derive(Debug, Clone)]
+struct Stage<const D: usize, T> {
+    acceleration: Vec<Vector<D>>,
+    heat: Vec<T>,
 }
 
 /// An integrator with its memory: nothing is allocated after the first step.
+///
+/// Stage `i` stands at `x + c_i Δt v + Δt² Σ_j p_ij a_j` with the velocity `v + Δt Σ_j q_ij a_j`. Energies are carried to its time
+/// `c_i Δt` by the rates of the earlier stages in the proportions of `q_ij`.
 #[derive(Debug, Clone)]
 pub struct Stepper<const D: usize, T> {
-    integrator: Integrator,
+    table: Nystrom<f64>,
     /// Rates at the last stage evaluated.
     pub rates: Rates<D, T>,
     started: bool,
     position: Vec<Vector<D>>,
     velocity: Vec<Vector<D>>,
     thermal: Vec<T>,
-    /// `Σ b_k` of velocities, accelerations, total-energy rates and heating rates.
-    sum_velocity: Vec<Vector<D>>,
-    sum_acceleration: Vec<Vector<D>>,
+    stages: Vec<Stage<D, T>>,
+    /// `Σ q_j` of total-energy rates and heating rates.
     sum_energy: Vec<T>,
     sum_heat: Vec<T>,
     /// Momentum that the walls have given so far.
@@ -50,16 +53,16 @@ pub struct Stepper<const D: usize, T> {
 
 impl<const D: usize, T: ThermalState> Stepper<D, T> {
     /// A stepper for systems of any size.
-    pub fn new(integrator: Integrator) -> Self {
+    pub fn new(table: Nystrom<f64>) -> Self {
+        let stage = Stage { acceleration: Vec::new(), heat: Vec::new() };
         Self {
-            integrator,
+            stages: vec![stage; table.c.len()],
+            table,
             rates: Rates::default(),
             started: false,
             position: Vec::new(),
             velocity: Vec::new(),
             thermal: Vec::new(),
-            sum_velocity: Vec::new(),
-            sum_acceleration: Vec::new(),
             sum_energy: Vec::new(),
             sum_heat: Vec::new(),
             wall_impulse: [0.0; D],
@@ -107,57 +110,66 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         self.velocity.clone_from(&system.particles.velocity);
         self.thermal.clone_from(&system.particles.thermal);
         let count = self.position.len();
-        self.sum_velocity.clear();
-        self.sum_velocity.resize(count, [0.0; D]);
-        self.sum_acceleration.clear();
-        self.sum_acceleration.resize(count, [0.0; D]);
         self.sum_energy.clear();
         self.sum_energy.resize(count, T::default());
         self.sum_heat.clear();
         self.sum_heat.resize(count, T::default());
-        for (stage, &(offset, weight)) in stages(self.integrator).iter().enumerate() {
-            if stage > 0 {
-                if self.integrator == Integrator::Rk3Ssp && stage == 2 {
-                    self.predict_mean(system, offset * dt);
-                } else {
-                    self.predict(system, offset * dt);
-                }
+        for stage in 0..self.stages.len() {
+            if self.moves(stage) {
+                self.predict(system, stage, dt);
                 system.rates(force, &mut self.rates)?;
             }
-            self.accumulate(system, weight, dt);
+            self.accumulate(system, stage, dt);
         }
         self.complete(system, dt, F::WORK);
         Ok(())
     }
 
-    /// The state at which the next stage is evaluated, `dt` after the beginning of the step.
-    fn predict<G: Gas<Thermal = T>>(&self, system: &mut ParticleSystem<D, G>, dt: f64) {
+    /// Whether a stage stands elsewhere than where the step begins.
+    fn moves(&self, stage: usize) -> bool {
+        let moves = |row: &[f64]| row.iter().any(|&weight| weight != 0.0);
+        stage > 0
+            || self.table.c[0] != 0.0
+            || moves(&self.table.position[0])
+            || moves(&self.table.velocity[0])
+    }
+
+    /// The state at which a stage is evaluated.
+    fn predict<G: Gas<Thermal = T>>(
+        &self,
+        system: &mut ParticleSystem<D, G>,
+        stage: usize,
+        dt: f64,
+    ) {
+        let Nystrom { c, position, velocity, .. } = &self.table;
+        let (c, p, q) = (c[stage], &position[stage], &velocity[stage]);
+        let kicked: f64 = q.iter().sum();
+        let share = if kicked == 0.0 { 0.0 } else { c / kicked };
         let state = &mut system.particles;
         for i in 0..state.len() {
-            let (v, a) = (state.velocity[i], &self.rates.acceleration[i]);
-            let heat = self.heat(i, &v);
-            state.thermal[i] = self.thermal[i].plus_scaled(dt, heat);
-            let (x0, v0) = (&self.position[i], &self.velocity[i]);
-            let half = plus_scaled(v0, 0.5 * dt, a);
-            let full = plus_scaled(v0, dt, a);
-            (state.position[i], state.velocity[i]) = match self.integrator {
-                Integrator::LeapfrogKdk => (plus_scaled(x0, dt, &half), half),
-                Integrator::LeapfrogKdkPredicted => (plus_scaled(x0, dt, &half), full),
-                _ => (plus_scaled(x0, dt, &v), full),
-            };
+            let drifted = plus_scaled(&self.position[i], c * dt, &self.velocity[i]);
+            state.position[i] = self.sum(drifted, dt * dt, p, i);
+            state.velocity[i] = self.sum(self.velocity[i], dt, q, i);
+            state.thermal[i] = q
+                .iter()
+                .zip(&self.stages)
+                .filter(|(weight, _)| **weight != 0.0)
+                .fold(self.thermal[i], |sum, (weight, earlier)| {
+                    sum.plus_scaled(share * weight * dt, earlier.heat[i])
+                });
         }
     }
 
-    /// The state `dt` after the beginning of the step along the mean of the rates of two stages, each of which has
-    /// entered the sums with weight 1/6.
-    fn predict_mean<G: Gas<Thermal = T>>(&self, system: &mut ParticleSystem<D, G>, dt: f64) {
-        let state = &mut system.particles;
-        let scale = 3.0 * dt;
-        for i in 0..state.len() {
-            state.position[i] = plus_scaled(&self.position[i], scale, &self.sum_velocity[i]);
-            state.velocity[i] = plus_scaled(&self.velocity[i], scale, &self.sum_acceleration[i]);
-            state.thermal[i] = self.thermal[i].plus_scaled(scale, self.sum_heat[i]);
-        }
+    /// `start + factor Σ_j w_j a_j` of a particle.
+    #[inline]
+    fn sum(&self, start: Vector<D>, factor: f64, weights: &[f64], i: usize) -> Vector<D> {
+        weights
+            .iter()
+            .zip(&self.stages)
+            .filter(|(weight, _)| **weight != 0.0)
+            .fold(start, |sum, (weight, stage)| {
+                plus_scaled(&sum, factor * weight, &stage.acceleration[i])
+            })
     }
 
     /// Heating rate of a particle of velocity `v` at the present rates.
@@ -170,52 +182,49 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
     fn accumulate<G: Gas<Thermal = T>>(
         &mut self,
         system: &ParticleSystem<D, G>,
-        weight: f64,
+        stage: usize,
         dt: f64,
     ) {
-        if weight == 0.0 {
-            return;
+        let weight = self.table.velocity_weights[stage];
+        let mut heat = std::mem::take(&mut self.stages[stage].heat);
+        heat.clear();
+        heat.extend((0..self.position.len()).map(|i| self.heat(i, &system.particles.velocity[i])));
+        if weight != 0.0 {
+            for (i, &heat) in heat.iter().enumerate() {
+                self.sum_energy[i] = self.sum_energy[i].plus_scaled(weight, self.rates.energy[i]);
+                self.sum_heat[i] = self.sum_heat[i].plus_scaled(weight, heat);
+            }
+            self.wall_impulse =
+                plus_scaled(&self.wall_impulse, weight * dt, &self.rates.wall_force);
         }
-        for i in 0..self.position.len() {
-            let v = &system.particles.velocity[i];
-            self.sum_velocity[i] = plus_scaled(&self.sum_velocity[i], weight, v);
-            self.sum_acceleration[i] =
-                plus_scaled(&self.sum_acceleration[i], weight, &self.rates.acceleration[i]);
-            self.sum_energy[i] = self.sum_energy[i].plus_scaled(weight, self.rates.energy[i]);
-            self.sum_heat[i] = self.sum_heat[i].plus_scaled(weight, self.heat(i, v));
-        }
-        self.wall_impulse = plus_scaled(&self.wall_impulse, weight * dt, &self.rates.wall_force);
+        let kept = &mut self.stages[stage];
+        kept.heat = heat;
+        kept.acceleration.clone_from(&self.rates.acceleration);
     }
 
     fn complete<G: Gas<Thermal = T>>(
-        &mut self,
+        &self,
         system: &mut ParticleSystem<D, G>,
         dt: f64,
         work: Work,
     ) {
+        let Nystrom { position_weights, velocity_weights, .. } = &self.table;
         let state = &mut system.particles;
         for i in 0..state.len() {
-            let (x, v) = (&self.position[i], &self.velocity[i]);
-            let new = plus_scaled(v, dt, &self.sum_acceleration[i]);
-            let centred = plus_scaled(v, 0.5 * dt, &self.sum_acceleration[i]);
-            state.position[i] = match self.integrator {
-                Integrator::SymplecticEuler => plus_scaled(x, dt, &new),
-                Integrator::CentredEuler | Integrator::PredictorCorrector => {
-                    plus_scaled(x, dt, &centred)
-                }
-                // Where the last stage already is.
-                Integrator::LeapfrogKdk | Integrator::LeapfrogKdkPredicted => state.position[i],
-                _ => plus_scaled(x, dt, &self.sum_velocity[i]),
-            };
+            let velocity = &self.velocity[i];
+            let acceleration = self.sum([0.0; D], 1.0, velocity_weights, i);
             let heat = match work {
                 Work::Instantaneous => self.sum_heat[i],
                 Work::TimeCentred => {
                     // (v + v')/2 · (v' − v) is the change of kinetic energy, exactly.
-                    let work = T::from_energy(|| dot(&centred, &self.sum_acceleration[i]));
+                    let centred = plus_scaled(velocity, 0.5 * dt, &acceleration);
+                    let work = T::from_energy(|| dot(&centred, &acceleration));
                     self.sum_energy[i].plus_scaled(-1.0, work)
                 }
             };
-            state.velocity[i] = new;
+            let drifted = plus_scaled(&self.position[i], dt, velocity);
+            state.position[i] = self.sum(drifted, dt * dt, position_weights, i);
+            state.velocity[i] = plus_scaled(velocity, dt, &acceleration);
             state.thermal[i] = self.thermal[i].plus_scaled(dt, heat);
         }
     }
@@ -224,13 +233,29 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use courant_analysis::scheme::catalogue::integrators;
 
     #[test]
-    fn a_step_has_as_many_stages_as_the_list_says_and_their_weights_add_up() {
-        for integrator in Integrator::ALL {
-            assert_eq!(stages(integrator).len(), integrator.force_evaluations(), "{integrator}");
-            let sum: f64 = stages(integrator).iter().map(|(_, weight)| weight).sum();
-            assert!((sum - 1.0).abs() < 1e-15, "{integrator}");
+    fn explicit_integrators_run_and_the_others_are_refused_in_a_line() {
+        let names = |runs: bool| -> Vec<&str> {
+            let of = |one: &&Integrator| one.nystrom().is_some() == runs;
+            integrators().iter().filter(of).map(|one| one.name.as_str()).collect()
+        };
+        for name in ["centred-euler", "leapfrog-dkd", "rk2-ralston", "dp5", "rk8", "ssp-10-4"] {
+            assert!(names(true).contains(&name), "{name}");
+        }
+        for name in ["bdf2", "ab2", "crank-nicolson", "gauss-2", "predictor-corrector-pec"] {
+            assert!(names(false).contains(&name), "{name}");
+        }
+        let refused = table(Integrator::named("bdf2").expect("it is in the list"));
+        assert!(refused.unwrap_err().to_string().contains("integrator = bdf2"));
+    }
+
+    #[test]
+    fn weights_move_by_a_whole_step() {
+        for table in integrators().iter().filter_map(Integrator::nystrom) {
+            let sum: f64 = table.velocity_weights.iter().sum();
+            assert!((sum - 1.0).abs() < 1e-14, "{table:?}");
         }
     }
 }

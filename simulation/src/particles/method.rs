@@ -1,7 +1,7 @@
 //! The six methods of the paper by name, and their options.
 
 use super::density::Smoothing;
-use super::integrator::Integrator;
+use super::integrator::{Integrator, NotExplicit, table};
 use super::pair_weight::VolumeInterpolation;
 use super::viscous::Viscosity;
 use courant_analysis::kernel::Kernel;
@@ -115,7 +115,7 @@ pub struct MethodOptions {
     /// Step over the shortest crossing time `h_i/s_i`, `s` the signal velocity.
     pub courant: f64,
     /// The integrator.
-    pub integrator: Integrator,
+    pub integrator: &'static Integrator,
     /// The Riemann solver.
     pub solver: SolverChoice,
     /// The artificial viscosity of SPH.
@@ -135,8 +135,8 @@ impl MethodOptions {
             ParticleMethod::Gph4 => (Kernel::Gaussian, 1.05),
             _ => (Kernel::CubicSpline, 1.0),
         };
-        let integrator =
-            if method.is_godunov() { Integrator::CentredEuler } else { Integrator::Rk2Heun };
+        let integrator = if method.is_godunov() { "centred-euler" } else { "rk2-heun" };
+        let integrator = Integrator::named(integrator).expect("it is in the catalogue");
         Self {
             method,
             kernel,
@@ -168,9 +168,11 @@ impl MethodOptions {
         if self.method == ParticleMethod::Gph4 && self.kernel != Kernel::Gaussian {
             return Err(InvalidMethodOptions::Kernel(self.kernel));
         }
+        let table = table(self.integrator)?;
         if let StepSharing::Block { levels } = self.sharing {
-            if self.integrator != Integrator::CentredEuler {
-                return Err(InvalidMethodOptions::BlockIntegrator(self.integrator.name()));
+            // One evaluation where the step begins, and a drift with the mean velocity.
+            if (&table.c[..], &table.position_weights[..]) != (&[0.0], &[0.5]) {
+                return Err(InvalidMethodOptions::BlockIntegrator(&self.integrator.name));
             }
             if levels > 20 {
                 return Err(InvalidMethodOptions::Levels(levels));
@@ -194,6 +196,9 @@ pub enum InvalidMethodOptions {
     /// The convolution of case 4 is known for the Gaussian.
     #[error("kernel = {0}: gph4 needs the gaussian")]
     Kernel(Kernel),
+    /// Particles are not stepped so.
+    #[error(transparent)]
+    Integrator(#[from] NotExplicit),
     /// Block steps are first order.
     #[error("integrator = {0}: block steps need centred-euler")]
     BlockIntegrator(&'static str),

@@ -31,7 +31,7 @@ pub use density::Smoothing;
 pub use domain::{Boundary, Domain, Image};
 pub use gas::{Gas, IsothermalGas};
 pub use godunov::Godunov;
-pub use integrator::{Integrator, Stepper};
+pub use integrator::{Integrator, NotExplicit, Nystrom, Stepper, table};
 pub use method::{InvalidMethodOptions, MethodOptions, ParticleMethod, SolverChoice, StepSharing};
 pub use neighbours::{Neighbours, Pair};
 pub use pair_force::{Exchange, PairEnd, PairForce, Work};

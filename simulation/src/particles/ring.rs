@@ -3,7 +3,7 @@
 use super::density::Smoothing;
 use super::domain::{Boundary, Domain};
 use super::gas::IsothermalGas;
-use super::integrator::{Integrator, Stepper};
+use super::integrator::{Nystrom, Stepper};
 use super::pair_force::PairForce;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
@@ -50,7 +50,7 @@ impl Ring {
     pub fn step<F: PairForce>(
         &self,
         force: &F,
-        integrator: Integrator,
+        table: &Nystrom<f64>,
         dt: f64,
         positions: &[f64],
         velocities: &[f64],
@@ -72,7 +72,7 @@ impl Ring {
             Smoothing::Constant,
             force,
         );
-        Stepper::new(integrator).step(&mut system, force, dt)?;
+        Stepper::new(table.clone()).step(&mut system, force, dt)?;
         let flat = |vectors: Vec<[f64; 1]>| vectors.into_iter().map(|[x]| x).collect();
         Ok((flat(system.particles.position), flat(system.particles.velocity)))
     }
@@ -91,7 +91,8 @@ impl Ring {
     /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel: Kernel::CubicSpline, smoothing: 1.0 };
     /// let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
     /// let gph1 = Godunov { weight: SumOfSquares, solver };
-    /// let step = ring.amplification(&gph1, Integrator::ForwardEuler, 0.1, 3, 1e-5)?;
+    /// let euler = Integrator::named("euler").unwrap().nystrom().unwrap();
+    /// let step = ring.amplification(&gph1, &euler, 0.1, 3, 1e-5)?;
     /// assert!((step[0][1].re - 0.1).abs() < 1e-10); // x' = x + dt v
     /// assert!(step[1][1].re < 1.0); // the Riemann problem damps
     /// # Ok::<(), courant_simulation::run::Reason>(())
@@ -102,7 +103,7 @@ impl Ring {
     pub fn amplification<F: PairForce>(
         &self,
         force: &F,
-        integrator: Integrator,
+        table: &Nystrom<f64>,
         dt: f64,
         mode: usize,
         size: f64,
@@ -119,7 +120,7 @@ impl Ring {
                 for (j, value) in disturbed.iter_mut().enumerate() {
                     *value += sign * scale * angle(j).cos();
                 }
-                self.step(force, integrator, dt, &x, &v)
+                self.step(force, table, dt, &x, &v)
             };
             let (plus, minus) = (run(1.0)?, run(-1.0)?);
             for (row, (plus, minus)) in

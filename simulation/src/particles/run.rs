@@ -4,7 +4,7 @@ use super::block_steps::BlockStepper;
 use super::domain::Domain;
 use super::gas::Gas;
 use super::godunov::Godunov;
-use super::integrator::Stepper;
+use super::integrator::{Nystrom, Stepper, table};
 use super::method::{
     InvalidMethodOptions, MethodOptions, ParticleMethod, SolverChoice, StepSharing,
 };
@@ -44,6 +44,8 @@ pub fn run_particles(
     if particles < 10 {
         return Err(InvalidMethodOptions::Particles(particles));
     }
+    let table = table(options.integrator)?;
+    let run = (scene, particles, options, &table);
     Ok(match scene.material {
         Material::Isothermal(gas) => {
             let expansion = match options.solver {
@@ -51,46 +53,40 @@ pub fn run_particles(
                 SolverChoice::Converged | SolverChoice::Exact => Expansion::Exact,
             };
             let solver = Isothermal { sound_speed: gas.sound_speed, expansion };
-            with_solver(scene, particles, options, gas, solver)
+            with_solver(run, gas, solver)
         }
         Material::Ideal(gas) => {
             let van_leer = |stopping| VanLeer { gas, stopping };
             match options.solver {
-                SolverChoice::Published => {
-                    with_solver(scene, particles, options, gas, van_leer(Stopping::Published))
-                }
-                SolverChoice::Converged => {
-                    with_solver(scene, particles, options, gas, van_leer(Stopping::Converged))
-                }
-                SolverChoice::Exact => with_solver(scene, particles, options, gas, ExactIdeal(gas)),
+                SolverChoice::Published => with_solver(run, gas, van_leer(Stopping::Published)),
+                SolverChoice::Converged => with_solver(run, gas, van_leer(Stopping::Converged)),
+                SolverChoice::Exact => with_solver(run, gas, ExactIdeal(gas)),
             }
         }
     })
 }
 
-fn with_solver<G: Gas, S: StarSolver>(
-    scene: &ParticleScene,
-    particles: usize,
-    options: &MethodOptions,
-    gas: G,
-    solver: S,
-) -> ParticleRun {
-    let run = (scene, particles, options, gas);
+/// A scene, how many particles, options, and the table of their integrator.
+type Plan<'a> = (&'a ParticleScene, usize, &'a MethodOptions, &'a Nystrom<f64>);
+
+fn with_solver<G: Gas, S: StarSolver>(plan: Plan<'_>, gas: G, solver: S) -> ParticleRun {
+    let options = plan.2;
     let smoothed = |form| Smoothed { form, viscosity: options.viscosity };
     match options.method {
-        ParticleMethod::Gph1 => evolve(run, &Godunov { weight: SumOfSquares, solver }),
-        ParticleMethod::Gph2 => evolve(run, &Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => evolve(run, &Godunov { weight: OwnKernels, solver }),
+        ParticleMethod::Gph1 => evolve(plan, gas, &Godunov { weight: SumOfSquares, solver }),
+        ParticleMethod::Gph2 => evolve(plan, gas, &Godunov { weight: Product, solver }),
+        ParticleMethod::Gph3 => evolve(plan, gas, &Godunov { weight: OwnKernels, solver }),
         ParticleMethod::Gph4 => {
-            evolve(run, &Godunov { weight: Convolution(options.volume), solver })
+            evolve(plan, gas, &Godunov { weight: Convolution(options.volume), solver })
         }
-        ParticleMethod::Sph1 => evolve(run, &smoothed(PressureForm::Sum)),
-        ParticleMethod::Sph2 => evolve(run, &smoothed(PressureForm::Geometric)),
+        ParticleMethod::Sph1 => evolve(plan, gas, &smoothed(PressureForm::Sum)),
+        ParticleMethod::Sph2 => evolve(plan, gas, &smoothed(PressureForm::Geometric)),
     }
 }
 
 fn evolve<G: Gas, F: PairForce>(
-    (scene, particles, options, gas): (&ParticleScene, usize, &MethodOptions, G),
+    (scene, particles, options, table): Plan<'_>,
+    gas: G,
     force: &F,
 ) -> ParticleRun {
     let mut system = prepare(scene, particles, options, gas, force);
@@ -99,7 +95,7 @@ fn evolve<G: Gas, F: PairForce>(
         Clock { scene, options, time: 0.0, steps: 0, penetration: Penetration::default() };
     let (outcome, wall_impulse) = match options.sharing {
         StepSharing::Global => {
-            let mut stepper = Stepper::new(options.integrator);
+            let mut stepper = Stepper::new(table.clone());
             let outcome = clock.global(&mut system, force, &mut stepper);
             (outcome, stepper.wall_impulse)
         }

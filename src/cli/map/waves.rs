@@ -4,12 +4,11 @@ use super::{Arguments, MAX_POINTS};
 use crate::cli::numbers::{self, Numbers};
 use crate::cli::progress::Bar;
 use crate::cli::subject::Subject;
-use crate::cli::waves::{self, MethodName};
+use crate::cli::waves::{self, MethodName, Relation};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
-use courant::analysis::kernel::{Kernel, LatticeSums};
-use courant::analysis::scheme::integrator::Integrator;
-use courant::analysis::waves::dispersion::{WaveMethod, WaveScheme};
+use courant::analysis::kernel::Kernel;
+use courant::analysis::scheme::Integrator;
 use courant::reports::publish::OutputDirectory;
 use courant::reports::step_map::step_map;
 use courant::reports::wave_map::{amplitude_map, phase_error_map};
@@ -18,7 +17,7 @@ use courant::reports::wave_map::{amplitude_map, phase_error_map};
 enum Plane<'a> {
     PhaseError { kappas: &'a Numbers, ratios: &'a Numbers },
     Amplitude { kappas: &'a Numbers, alphas: &'a Numbers },
-    StableStep { integrator: Integrator, ratios: &'a Numbers, alphas: &'a Numbers },
+    StableStep { integrator: &'static Integrator, ratios: &'a Numbers, alphas: &'a Numbers },
 }
 
 fn refuse(message: impl Into<String>) -> Failure {
@@ -85,18 +84,15 @@ pub fn run(arguments: &Arguments, subject: &Subject) -> Result<Outcome, Failure>
         refuse(format!("--method {name}: only sph, sph-av and gph have maps of their waves"))
     })?;
     let only_viscous = |what: &str| match name {
-        MethodName::SphAv => Ok(WaveMethod::SphAv { alpha: integer(1) }),
+        MethodName::SphAv => name.method(None, None),
         _ => Err(refuse(format!(
             "--alpha: {} has no viscosity coefficient; a map of {what} over it needs --method sph-av",
             name.name()
         ))),
     };
     let density = subject.density.unwrap_or_default();
-    let scheme = |method: WaveMethod, ratio: &Rational| {
-        LatticeSums::new(kernel_of(subject), ratio, density)
-            .map(|sums| WaveScheme::with_sums(method, sums))
-            .map_err(|error| refuse(format!("--ratio: {error}")))
-    };
+    let lattice =
+        |relation: Relation, ratio: &Rational| relation.lattice(kernel_of(subject), ratio, density);
     if let (Some(_), Some(_), false) =
         (&arguments.h, arguments.subject.axes().0, matches!(plane, Plane::Amplitude { .. }))
     {
@@ -122,13 +118,13 @@ pub fn run(arguments: &Arguments, subject: &Subject) -> Result<Outcome, Failure>
             };
             let method = name.method(None, alpha)?;
             let mut stem = stem("phase_error");
-            if let Some(form) = method.form() {
+            if let Some(form) = method.form {
                 stem = format!("{stem}_{}", form.name());
             }
             let title = format!("{}, {}", method.title(), kernel.title());
             let first = &ratios.0[0];
             let map =
-                phase_error_map(&scheme(method, first)?, &floats(kappas), &ratios.0, &progress)
+                phase_error_map(&lattice(method, first)?, &floats(kappas), &ratios.0, &progress)
                     .map_err(stopped)?;
             (stem.clone(), map.figure(&title)?, map.data_files(&stem))
         }
@@ -147,18 +143,18 @@ pub fn run(arguments: &Arguments, subject: &Subject) -> Result<Outcome, Failure>
             let stem = stem("amplitude");
             let title = format!("SPH with viscosity, {}, h/Δ = {}", kernel.title(), to_text(&at));
             let map =
-                amplitude_map(&scheme(method, &at)?, &floats(kappas), &floats(alphas), &progress)
+                amplitude_map(&lattice(method, &at)?, &floats(kappas), &floats(alphas), &progress)
                     .map_err(stopped)?;
             (stem.clone(), map.figure(&title)?, map.data_files(&stem))
         }
         Plane::StableStep { integrator, ratios, alphas } => {
             axes(("--ratio", ratios), ("--alpha", alphas))?;
             let method = only_viscous("the stable step")?;
-            let stem = format!("{}_{}", stem("stable_step"), integrator.name());
-            let title = format!("SPH with viscosity, {}, {}", kernel.title(), integrator.title());
+            let stem = format!("{}_{}", stem("stable_step"), integrator.name);
+            let title = format!("SPH with viscosity, {}, {}", kernel.title(), integrator.title);
             let first = &ratios.0[0];
-            let scheme = scheme(method, first)?;
-            let map = step_map(&scheme, integrator, &ratios.0, &floats(alphas), &progress)
+            let lattice = lattice(method, first)?;
+            let map = step_map(&lattice, integrator, &ratios.0, &floats(alphas), &progress)
                 .map_err(stopped)?;
             (stem.clone(), map.figure(&title)?, map.data_files(&stem))
         }

@@ -3,7 +3,7 @@
 use crate::cli::{Failure, numbers, waves};
 use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::{Rational, to_f64};
-use courant::analysis::scheme::integrator::Integrator;
+use courant::analysis::scheme::Integrator;
 use courant::simulation::lagrangian::flux::{ContactViscosity, ModifiedRoe, RoeMean};
 use courant::simulation::particles::SolverChoice;
 
@@ -21,7 +21,7 @@ pub struct Choices {
     riemann: Option<SolverName>,
     /// gph1 to gph4, sph1, sph2: see `courant list integrators` (default: centred-euler; SPH rk2-heun).
     #[arg(long, value_parser = waves::integrator)]
-    integrator: Option<Integrator>,
+    integrator: Option<&'static Integrator>,
     /// lagrangian-roe: what the mean state is the mean of (default: density).
     #[arg(long, value_enum)]
     roe_mean: Option<MeanName>,
@@ -106,7 +106,7 @@ impl Choices {
     }
 
     /// The integrator, or what it is otherwise.
-    pub fn integrator(&self, otherwise: Integrator) -> Integrator {
+    pub fn integrator(&self, otherwise: &'static Integrator) -> &'static Integrator {
         self.integrator.unwrap_or(otherwise)
     }
 

@@ -211,7 +211,7 @@ fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
         kernel: options.kernel.name(),
         ratio: plan.ratio.clone(),
         cfl: options.courant,
-        integrator: options.integrator.name(),
+        integrator: &options.integrator.name,
         alpha: (!godunov).then_some(options.viscosity.alpha),
         beta: (!godunov).then_some(options.viscosity.beta),
         riemann: godunov.then(|| options.solver.name()),

@@ -4,11 +4,10 @@ use super::Arguments;
 use crate::cli::names;
 use crate::cli::output::{Format, print, print_json, table_text};
 use crate::cli::subject::Subject;
-use crate::cli::waves::{self, MethodName};
+use crate::cli::waves::{self, Form, MethodName, Relation};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::{integer, to_f64, to_text};
 use courant::analysis::kernel::Density;
-use courant::analysis::waves::dispersion::Form;
 use courant::reports::advection_validation::FactorRecord;
 use courant::reports::number::{finite, significant};
 use courant::reports::particle_validation::{
@@ -34,7 +33,11 @@ pub const INTEGRATORS: [&str; 10] = [
 ];
 
 /// What a subject is to the running particles, `c Δt/h` and their number.
-fn case(subject: &Subject, courant: f64, particles: usize) -> Result<ParticleCase, Failure> {
+fn case(
+    subject: &Subject,
+    courant: f64,
+    particles: usize,
+) -> Result<(Relation, ParticleCase), Failure> {
     let refused = |message: String| Failure::Message(message);
     let isothermal = subject.eos.as_ref().is_none_or(|eos| eos.pressure == integer(1));
     if !isothermal || subject.density == Some(Density::MassPerSpacing) {
@@ -51,27 +54,28 @@ fn case(subject: &Subject, courant: f64, particles: usize) -> Result<ParticleCas
         refused(format!("--method {name}: {}", names::unknown("method", name, &all)))
     })?;
     let integrator = subject.integrator.as_ref().map_or("", |integrator| integrator.name.as_str());
-    let (kernel, ratio) = subject.kernel.clone().expect("particle methods have kernels");
-    Ok(ParticleCase {
-        method: name.method(None, alpha)?,
-        kernel,
-        ratio,
-        integrator: waves::integrator(integrator)
-            .map_err(|problem| refused(format!("--integrator {integrator}: {problem}")))?,
-        courant,
-        particles,
-    })
+    let integrator = waves::integrator(integrator)
+        .map_err(|problem| refused(format!("--integrator {integrator}: {problem}")))?;
+    let (kernel, ratio) = subject.kernel.as_ref().expect("particle methods have kernels");
+    let relation = name.method(None, alpha)?;
+    let method = relation.lattice(*kernel, ratio, Density::default())?;
+    Ok((relation, ParticleCase { method, integrator, courant, particles }))
 }
 
 /// A case and what came of it.
 struct Compared {
+    relation: Relation,
     case: ParticleCase,
     rows: Vec<ParticleModeRow>,
     waves: Vec<FollowedWave>,
 }
 
 impl Compared {
-    fn new(case: ParticleCase, steps: usize) -> Result<Self, ParticleValidationError> {
+    fn new(
+        relation: Relation,
+        case: ParticleCase,
+        steps: usize,
+    ) -> Result<Self, ParticleValidationError> {
         let rows = validate_particles(&case)?;
         // Rounding in the fastest growing mode must stay below the wave that is followed.
         let fastest = largest(rows.iter().flat_map(|row| row.measured).map(|z| z.norm()));
@@ -90,7 +94,7 @@ impl Compared {
                 }
             }
         }
-        Ok(Self { case, rows, waves })
+        Ok(Self { relation, case, rows, waves })
     }
 
     fn max_error(&self) -> f64 {
@@ -137,12 +141,15 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     }
     let compared: Vec<Compared> = cases
         .into_par_iter()
-        .map(|case| Compared::new(case, steps))
+        .map(|(relation, case)| Compared::new(relation, case, steps))
         .collect::<Result<_, _>>()
         .map_err(|error| {
             let option = match error {
                 ParticleValidationError::Step(_) => "--cfl",
                 ParticleValidationError::ShortRing { .. } => "--particles",
+                ParticleValidationError::Integrator(_) | ParticleValidationError::Scheme(_) => {
+                    "--integrator"
+                }
                 _ => "--ratio",
             };
             Failure::Message(format!("{option}: {error}"))
@@ -187,10 +194,10 @@ fn case_table(compared: &[Compared]) -> Table {
             largest(one.rows.iter().flat_map(|row| row.predicted).map(|z| z.norm()));
         let names: Vec<&str> = codes(&case.method).iter().map(|code| code.name()).collect();
         table.push([
-            case.method.title(),
-            case.kernel.name().into(),
-            to_text(&case.ratio),
-            case.integrator.name().into(),
+            one.relation.title(),
+            case.method.kernel().name().into(),
+            to_text(case.method.ratio()),
+            case.integrator.name.clone(),
             names.join(", "),
             significant(largest_factor, 7),
             significant(one.max_error(), 2),
@@ -308,16 +315,16 @@ impl Record {
             steps,
             passed: compared.iter().all(Compared::passed),
         };
-        for Compared { case, rows, waves } in compared {
+        for Compared { relation, case, rows, waves } in compared {
             for row in rows {
                 for (index, branch) in ["forward", "backward"].into_iter().enumerate() {
                     record.rows.push(Row {
-                        method: case.method.name(),
-                        form: case.method.form().map(Form::name),
-                        kernel: case.kernel.name(),
-                        ratio: to_text(&case.ratio),
-                        alpha: case.method.alpha().map(to_f64),
-                        integrator: case.integrator.name(),
+                        method: relation.method.name(),
+                        form: relation.form.map(Form::name),
+                        kernel: case.method.kernel().name(),
+                        ratio: to_text(case.method.ratio()),
+                        alpha: relation.alpha(),
+                        integrator: &case.integrator.name,
                         cfl: case.courant,
                         code: row.code.name(),
                         mode: row.mode,
@@ -330,9 +337,9 @@ impl Record {
                 }
             }
             record.waves.extend(waves.iter().map(|wave| Wave {
-                kernel: case.kernel.name(),
-                ratio: to_text(&case.ratio),
-                integrator: case.integrator.name(),
+                kernel: case.method.kernel().name(),
+                ratio: to_text(case.method.ratio()),
+                integrator: &case.integrator.name,
                 code: wave.code.name(),
                 mode: wave.mode,
                 phase: wave.phase,

@@ -70,19 +70,16 @@ pub struct Frequencies {
 }
 
 impl Frequencies {
-    /// The roots of `ω² + (i b + σ) ω − ω0² = 0`, at most one of `b ≥ 0` and `σ` not zero.
+    /// The roots of `ω² + i b ω − ω0² = 0` with `b ≥ 0`.
     ///
     /// ```
     /// use courant_analysis::waves::dispersion::{Frequencies, Regime};
     /// // 1e-8 beside 1: the difference of the textbook formula would have half its digits.
-    /// let waves = Frequencies::of(1e-16, 1.0, 0.0);
+    /// let waves = Frequencies::of(1e-16, 1.0);
     /// assert_eq!(waves.regime, Regime::OverDamped);
     /// assert!((waves.forward.im / -1e-16 - 1.0).abs() < 1e-15);
     /// ```
-    pub fn of(restoring: f64, damping: f64, skew: f64) -> Self {
-        if skew != 0.0 {
-            return Self::undamped_with_skew(restoring, skew);
-        }
+    pub fn of(restoring: f64, damping: f64) -> Self {
         let imaginary = |value: f64| Complex64::new(0.0, value);
         if restoring < 0.0 {
             // One root grows, whatever the damping.
@@ -119,28 +116,6 @@ impl Frequencies {
         }
     }
 
-    /// `ω = (−σ ± √(σ² + 4ω0²))/2`: (64) as printed.
-    fn undamped_with_skew(restoring: f64, skew: f64) -> Self {
-        let discriminant = skew * skew + 4.0 * restoring;
-        if discriminant < 0.0 {
-            let growth = 0.5 * (-discriminant).sqrt();
-            return Self {
-                forward: Complex64::new(-0.5 * skew, growth),
-                backward: Complex64::new(-0.5 * skew, -growth),
-                regime: Regime::Growing,
-            };
-        }
-        // The root away from zero first, the other from the product −ω0².
-        let far = -0.5 * (skew + discriminant.sqrt().copysign(skew));
-        let near = -restoring / far;
-        let (forward, backward) = if skew > 0.0 { (near, far) } else { (far, near) };
-        Self {
-            forward: forward.into(),
-            backward: backward.into(),
-            regime: if restoring == 0.0 { Regime::ZeroFrequency } else { Regime::Propagating },
-        }
-    }
-
     /// The frequency of one branch.
     pub fn branch(&self, branch: Branch) -> Complex64 {
         match branch {
@@ -153,7 +128,7 @@ impl Frequencies {
     ///
     /// ```
     /// use courant_analysis::waves::dispersion::{Branch, Frequencies, Regime};
-    /// let waves = Frequencies::of(-1.0, 0.5, 0.0);
+    /// let waves = Frequencies::of(-1.0, 0.5);
     /// assert_eq!(waves.regime_of(Branch::Forward), Regime::Growing);
     /// assert_eq!(waves.regime_of(Branch::Backward), Regime::OverDamped);
     /// ```
@@ -180,32 +155,28 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_roots_solve_the_relation(
-            restoring in -3.0f64..9.0, damping in 0.0f64..6.0, skew in -3.0f64..3.0
-        ) {
-            for (b, sigma) in [(damping, 0.0), (0.0, skew)] {
-                let waves = Frequencies::of(restoring, b, sigma);
-                for omega in Branch::ALL.map(|branch| waves.branch(branch)) {
-                    let residual = omega * omega + Complex64::new(sigma, b) * omega - restoring;
-                    prop_assert!(residual.norm() < 1e-13 * (1.0 + omega.norm_sqr() + b * b));
-                }
-                prop_assert!(waves.forward.re >= waves.backward.re);
-                prop_assert!(waves.forward.im >= waves.backward.im || sigma != 0.0);
-                prop_assert_eq!(waves.regime == Regime::Growing, waves.growth_rate() > 0.0);
-                for branch in Branch::ALL {
-                    let grows = waves.regime_of(branch) == Regime::Growing;
-                    prop_assert_eq!(grows, waves.branch(branch).im > 0.0);
-                }
+        fn the_roots_solve_the_relation(restoring in -3.0f64..9.0, damping in 0.0f64..6.0) {
+            let waves = Frequencies::of(restoring, damping);
+            for omega in Branch::ALL.map(|branch| waves.branch(branch)) {
+                let residual = omega * omega + Complex64::new(0.0, damping) * omega - restoring;
+                prop_assert!(residual.norm() < 1e-13 * (1.0 + omega.norm_sqr() + damping * damping));
+            }
+            prop_assert!(waves.forward.re >= waves.backward.re);
+            prop_assert!(waves.forward.im >= waves.backward.im);
+            prop_assert_eq!(waves.regime == Regime::Growing, waves.growth_rate() > 0.0);
+            for branch in Branch::ALL {
+                let grows = waves.regime_of(branch) == Regime::Growing;
+                prop_assert_eq!(grows, waves.branch(branch).im > 0.0);
             }
         }
 
         #[test]
         fn a_path_around_critical_damping_is_continuous(scale in 0.1f64..3.0) {
             // Through b = 2ω0 in small steps: both branches move by at most √(step) there.
-            let mut last = Frequencies::of(scale, 0.0, 0.0);
+            let mut last = Frequencies::of(scale, 0.0);
             for index in 1..=4000 {
                 let damping = f64::from(index) * 1e-3 * scale.sqrt();
-                let next = Frequencies::of(scale, damping, 0.0);
+                let next = Frequencies::of(scale, damping);
                 let reach = 0.1 * scale.sqrt();
                 prop_assert!((next.forward - last.forward).norm() < reach);
                 prop_assert!((next.backward - last.backward).norm() < reach);
@@ -216,10 +187,10 @@ mod tests {
 
     #[test]
     fn regimes_are_named() {
-        assert_eq!(Frequencies::of(1.0, 2.0, 0.0).regime, Regime::CriticallyDamped);
-        assert_eq!(Frequencies::of(1.0, 2.1, 0.0).regime, Regime::OverDamped);
-        assert_eq!(Frequencies::of(0.0, 0.0, 0.0).regime, Regime::ZeroFrequency);
-        assert_eq!(Frequencies::of(0.0, 1.0, 0.0).backward, Complex64::new(0.0, -1.0));
-        assert_eq!(Frequencies::of(-1.0, 0.0, 0.0).forward, Complex64::new(0.0, 1.0));
+        assert_eq!(Frequencies::of(1.0, 2.0).regime, Regime::CriticallyDamped);
+        assert_eq!(Frequencies::of(1.0, 2.1).regime, Regime::OverDamped);
+        assert_eq!(Frequencies::of(0.0, 0.0).regime, Regime::ZeroFrequency);
+        assert_eq!(Frequencies::of(0.0, 1.0).backward, Complex64::new(0.0, -1.0));
+        assert_eq!(Frequencies::of(-1.0, 0.0).forward, Complex64::new(0.0, 1.0));
     }
 }

@@ -1,10 +1,10 @@
 //! The lattice sums replaced by integrals: what Cha & Whitworth 2003 (47) calls the simple integral
 //! approximation.
 
-use super::wave_scheme::WaveScheme;
 use crate::exact::rational::to_f64;
 use crate::kernel::Kernel;
 use crate::kernel::SumValues;
+use crate::scheme::{LatticeMethod, SchemeError};
 
 /// Nodes and weights of Gauss–Legendre quadrature with ten points on `[−1, 1]`, the positive half.
 const NODES: [(f64, f64); 5] = [
@@ -83,22 +83,28 @@ impl IntegralComparison {
     }
 }
 
-/// What the integral approximation makes of `ω_SPH²` of a scheme at the phase `κΔ`.
-pub fn compare_integral(scheme: &WaveScheme, phase: f64) -> IntegralComparison {
-    let sums = integral_sums(scheme.sums().kernel(), to_f64(scheme.sums().ratio()), phase);
-    let doubled = 2.0 * to_f64(scheme.pressure());
-    IntegralComparison {
-        direct: scheme.compile().mode(phase).restoring,
+/// What the integral approximation makes of `ω_SPH²` of a method at the phase `κΔ`.
+///
+/// # Errors
+/// When the method has no waves.
+pub fn compare_integral(
+    method: &LatticeMethod,
+    phase: f64,
+) -> Result<IntegralComparison, SchemeError> {
+    let sums = integral_sums(method.kernel(), to_f64(method.ratio()), phase);
+    let doubled = 2.0 * method.value("P").map_or(1.0, to_f64);
+    Ok(IntegralComparison {
+        direct: method.waves()?.compile().mode(phase).restoring,
         integral: doubled * sums.curvature + (1.0 - doubled) * sums.gradient.powi(2),
-    }
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::rational::{integer, ratio};
+    use crate::exact::rational::{Rational, integer, ratio};
     use crate::kernel::{Density, LatticeSums};
-    use crate::waves::dispersion::WaveMethod;
+    use crate::scheme::catalogue;
 
     #[test]
     fn splines_transform_to_powers_of_the_sine_cardinal() {
@@ -138,13 +144,17 @@ mod tests {
 
     #[test]
     fn the_approximation_holds_for_long_waves_only() {
-        let scheme = WaveScheme::new(WaveMethod::Sph, Kernel::CubicSpline, &integer(1)).unwrap();
-        let long = compare_integral(&scheme, 1e-3).relative_error().unwrap();
-        let short = compare_integral(&scheme, 3.0).relative_error().unwrap();
+        let at = |ratio: &Rational, phase: f64| {
+            let sph = catalogue::method("sph").unwrap();
+            let lattice = LatticeMethod::new(sph, Kernel::CubicSpline, ratio).unwrap();
+            compare_integral(&lattice, phase).unwrap()
+        };
+        let whole = integer(1);
+        let long = at(&whole, 1e-3).relative_error().unwrap();
+        let short = at(&whole, 3.0).relative_error().unwrap();
         assert!(long.abs() < 1e-6 && short.abs() > 0.1);
         // (50): both tend to c²κ².
-        assert!((compare_integral(&scheme, 1e-3).integral / 1e-6 - 1.0).abs() < 1e-6);
-        let neutral = WaveScheme::new(WaveMethod::Sph, Kernel::CubicSpline, &ratio(3, 2)).unwrap();
-        assert_eq!(compare_integral(&neutral, std::f64::consts::PI).relative_error(), None);
+        assert!((at(&whole, 1e-3).integral / 1e-6 - 1.0).abs() < 1e-6);
+        assert_eq!(at(&ratio(3, 2), std::f64::consts::PI).relative_error(), None);
     }
 }

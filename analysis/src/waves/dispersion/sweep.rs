@@ -4,13 +4,10 @@
 //! threads. A callback hears of every finished row and may end the sweep.
 
 use super::mode::Mode;
-use super::stable_step::SampledStep;
+use super::sampled_step::SampledStep;
 use super::wave_errors::{AmplitudeTime, amplitude, damping_per_wavelength, phase_error};
-use super::wave_scheme::{CompiledWaves, WaveScheme};
-use crate::exact::rational::{Rational, integer};
-use crate::kernel::LatticeSums;
-use crate::kernel::lattice::RatioOutOfRange;
-use crate::scheme::integrator::Integrator;
+use crate::exact::rational::{Rational, integer, to_f64};
+use crate::scheme::{Integrator, LatticeMethod};
 use crate::waves::sweep::{Progress, SweepError, with_progress};
 use ndarray::{Array2, Array3};
 use rayon::prelude::*;
@@ -82,27 +79,20 @@ fn plane(rows: usize, columns: usize, values: Vec<f64>) -> Array2<f64> {
     Array2::from_shape_vec((rows, columns), values).expect("one value for every place")
 }
 
-/// `scheme` at another smoothing ratio.
-fn at_ratio(scheme: &WaveScheme, ratio: &Rational) -> Result<WaveScheme, RatioOutOfRange> {
-    let sums = LatticeSums::new(scheme.sums().kernel(), ratio, scheme.sums().density())?;
-    let moved = WaveScheme::with_sums(scheme.method().clone(), sums);
-    Ok(moved.with_pressure(scheme.pressure().clone()))
-}
-
-/// A quantity on the (κ, h) plane, `[ratio, phase]`; of `scheme` all but the ratio is used. Phases are
+/// A quantity on the (κ, h) plane, `[ratio, phase]`; of `method` all but the ratio is used. Phases are
 /// `κΔ > 0` in radians.
 ///
 /// # Errors
 /// When a ratio is out of range, or when the callback cancels.
 pub fn over_phase_and_ratio(
-    scheme: &WaveScheme,
+    method: &LatticeMethod,
     phases: &[f64],
     ratios: &[Rational],
     quantity: Quantity,
     progress: Progress<'_>,
 ) -> Result<Array2<f64>, SweepError> {
     let values = fill_rows(ratios, phases.len(), progress, |ratio, target| {
-        let waves = at_ratio(scheme, ratio)?.compile();
+        let waves = method.at_ratio(ratio)?.waves()?.compile();
         for (value, &phase) in target.iter_mut().zip(phases) {
             *value = quantity.of(&waves.mode(phase));
         }
@@ -111,19 +101,19 @@ pub fn over_phase_and_ratio(
     Ok(plane(ratios.len(), phases.len(), values))
 }
 
-/// A quantity on the (κ, α) plane, `[factor, phase]`: the damping of `scheme` multiplied by each factor,
-/// which is α itself when the scheme has α = 1.
+/// A quantity on the (κ, α) plane, `[factor, phase]`: the damping of `method` multiplied by each factor,
+/// which is α itself when it has α = 1.
 ///
 /// # Errors
 /// When the callback cancels.
 pub fn over_phase_and_viscosity(
-    scheme: &WaveScheme,
+    method: &LatticeMethod,
     phases: &[f64],
     factors: &[f64],
     quantity: Quantity,
     progress: Progress<'_>,
 ) -> Result<Array2<f64>, SweepError> {
-    let waves = scheme.compile();
+    let waves = method.waves()?.compile();
     let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
     let values = fill_rows(factors, phases.len(), progress, |factor, target| {
         fill_with_viscosity(&modes, *factor, quantity, target);
@@ -143,7 +133,7 @@ fn fill_with_viscosity(modes: &[Mode], factor: f64, quantity: Quantity, target: 
 /// # Errors
 /// When a ratio is out of range, or when the callback cancels.
 pub fn over_phase_ratio_and_viscosity(
-    scheme: &WaveScheme,
+    method: &LatticeMethod,
     phases: &[f64],
     ratios: &[Rational],
     factors: &[f64],
@@ -152,7 +142,7 @@ pub fn over_phase_ratio_and_viscosity(
 ) -> Result<Array3<f64>, SweepError> {
     let width = factors.len() * phases.len();
     let values = fill_rows(ratios, width, progress, |ratio, target| {
-        let waves = at_ratio(scheme, ratio)?.compile();
+        let waves = method.at_ratio(ratio)?.waves()?.compile();
         let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
         for (target, factor) in target.chunks_mut(phases.len()).zip(factors) {
             fill_with_viscosity(&modes, *factor, quantity, target);
@@ -163,55 +153,28 @@ pub fn over_phase_ratio_and_viscosity(
     Ok(Array3::from_shape_vec(shape, values).expect("one value for every place"))
 }
 
-/// The growth per step `|z| − 1` of the faster-growing wave on the (κ, c Δt/h) plane, `[step, phase]`.
+/// The largest stable `c Δt/h ≤ max_step` on the (h, α) plane, `[ratio, factor]`, looked at on a grid of phases: a map, not a proof —
+/// [`Step::stable_set`](crate::scheme::Step::stable_set) proves single points of it. The damping of `method` is multiplied by each factor.
 ///
 /// # Errors
-/// When the callback cancels.
-pub fn over_phase_and_step(
-    scheme: &WaveScheme,
-    integrator: Integrator,
-    phases: &[f64],
-    steps: &[f64],
-    progress: Progress<'_>,
-) -> Result<Array2<f64>, SweepError> {
-    let waves = scheme.compile();
-    let modes: Vec<Mode> = phases.iter().map(|&phase| waves.mode(phase)).collect();
-    let values = fill_rows(steps, phases.len(), progress, |step, target| {
-        for (value, mode) in target.iter_mut().zip(&modes) {
-            *value = mode.multipliers(integrator, step * waves.ratio()).growth;
-        }
-        Ok(())
-    })?;
-    Ok(plane(steps.len(), phases.len(), values))
-}
-
-/// The largest stable `c Δt/h ≤ max_step` on the (h, α) plane, `[ratio, factor]`, looked at on a grid of
-/// phases: a map, not a proof — [`stable_step`](super::stable_step()) proves single points of it. NaN for
-/// the published form, which no scheme runs.
-///
-/// # Errors
-/// When a ratio is out of range, or when the callback cancels.
+/// When a ratio is out of range, the integrator does not serve, or when the callback cancels.
 pub fn stable_step_map(
-    scheme: &WaveScheme,
-    integrator: Integrator,
+    method: &LatticeMethod,
+    integrator: &Integrator,
     ratios: &[Rational],
     factors: &[f64],
     max_step: f64,
     progress: Progress<'_>,
 ) -> Result<Array2<f64>, SweepError> {
-    let (free, damped) = (SampledStep::new(integrator, false), SampledStep::new(integrator, true));
+    let [free, damped] = [false, true].map(|damped| SampledStep::new(integrator, damped));
+    let (free, damped) = (free?, damped?);
     let values = fill_rows(ratios, factors.len(), progress, |ratio, target| {
-        let moved = at_ratio(scheme, ratio)?;
-        let Some(damping) = moved.damping() else {
-            target.fill(f64::NAN);
-            return Ok(());
-        };
-        let waves: CompiledWaves = moved.compile();
+        let waves = method.at_ratio(ratio)?.waves()?;
+        let (compiled, undamped) = (waves.compile(), waves.damping().is_zero());
         for (value, &factor) in target.iter_mut().zip(factors) {
-            let is_free = factor == 0.0 || damping.is_zero();
-            let sampled = if is_free { &free } else { &damped };
-            let limit = sampled.limit(&waves.clone().with_damping_scaled(factor), max_step);
-            *value = limit.lower();
+            let sampled = if factor == 0.0 || undamped { &free } else { &damped };
+            let waves = compiled.clone().with_damping_scaled(factor);
+            *value = sampled.limit(&waves, to_f64(ratio), max_step).lower();
         }
         Ok(())
     })?;
@@ -221,16 +184,21 @@ pub fn stable_step_map(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::rational::{ratio, to_f64};
+    use crate::exact::rational::ratio;
     use crate::kernel::Kernel;
-    use crate::waves::dispersion::{Form, WaveMethod, stable_step};
+    use crate::scheme::catalogue;
+    use crate::stability::SearchPlan;
     use crate::waves::sweep::no_progress;
     use std::ops::ControlFlow;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    fn viscous() -> WaveScheme {
-        let method = WaveMethod::SphAv { alpha: integer(1) };
-        WaveScheme::new(method, Kernel::CubicSpline, &ratio(6, 5)).unwrap()
+    fn viscous() -> LatticeMethod {
+        let method = catalogue::method("sph-av").unwrap();
+        LatticeMethod::new(method, Kernel::CubicSpline, &ratio(6, 5)).unwrap()
+    }
+
+    fn integrator(name: &str) -> &'static Integrator {
+        Integrator::named(name).unwrap()
     }
 
     fn phases(count: usize) -> Vec<f64> {
@@ -255,8 +223,14 @@ mod tests {
                         &no_progress,
                     )
                 };
-                let map =
-                    stable_step_map(&scheme, Integrator::Rk4, &ratios, &factors, 4.0, &no_progress);
+                let map = stable_step_map(
+                    &scheme,
+                    integrator("rk4"),
+                    &ratios,
+                    &factors,
+                    4.0,
+                    &no_progress,
+                );
                 let bits = |v: &f64| v.to_bits();
                 let speed: Vec<u64> = box_of(Quantity::Speed).unwrap().iter().map(bits).collect();
                 (speed, map.unwrap().iter().map(bits).collect::<Vec<_>>())
@@ -288,7 +262,7 @@ mod tests {
         assert_eq!(all.index_axis(ndarray::Axis(1), 1), by_ratio);
         assert_eq!(all.index_axis(ndarray::Axis(0), 2), at_6_5);
         // And a single value straight from the relation.
-        let mode = scheme.compile().mode(phases[7]);
+        let mode = scheme.waves().unwrap().compile().mode(phases[7]);
         assert_eq!(at_6_5[[1, 7]], quantity.of(&mode));
         let ratio = Quantity::DampingRatio;
         let damping = over_phase_and_viscosity(&scheme, &phases, &factors, ratio, &no_progress);
@@ -307,12 +281,12 @@ mod tests {
             heard.fetch_add(1, Ordering::Relaxed);
             ControlFlow::Continue(())
         };
-        let steps: Vec<f64> = (1..10).map(|index| 0.1 * f64::from(index)).collect();
-        let euler = Integrator::ForwardEuler;
-        let map = over_phase_and_step(&scheme, euler, &phases, &steps, &count).unwrap();
+        let factors: Vec<f64> = (1..10).map(f64::from).collect();
+        let speed = Quantity::Speed;
+        let map = over_phase_and_viscosity(&scheme, &phases, &factors, speed, &count).unwrap();
         assert_eq!((heard.into_inner(), map.dim()), (9, (9, 4)));
         let stop = |_: usize, _: usize| ControlFlow::Break(());
-        let stopped = over_phase_and_step(&scheme, euler, &phases, &steps, &stop);
+        let stopped = over_phase_and_viscosity(&scheme, &phases, &factors, speed, &stop);
         assert_eq!(stopped.unwrap_err(), SweepError::Cancelled);
         let bad =
             over_phase_and_ratio(&scheme, &phases, &[integer(0)], Quantity::Speed, &no_progress);
@@ -322,22 +296,21 @@ mod tests {
     #[test]
     fn the_map_lies_on_the_proved_limits() {
         let ratios = even_axis(&integer(1), &integer(2), 3);
-        for integrator in [Integrator::LeapfrogKdk, Integrator::Rk2Heun, Integrator::Rk3Ssp] {
-            let map =
-                stable_step_map(&viscous(), integrator, &ratios, &[0.0, 1.0], 4.0, &no_progress);
+        for name in ["leapfrog-kdk", "rk2-heun", "rk3-ssp", "ab3"] {
+            let stepped = integrator(name);
+            let map = stable_step_map(&viscous(), stepped, &ratios, &[0.0, 1.0], 4.0, &no_progress);
             for ((row, column), value) in map.unwrap().indexed_iter() {
-                let method = WaveMethod::SphAv { alpha: integer(column as i64) };
-                let scheme = WaveScheme::new(method, Kernel::CubicSpline, &ratios[row]).unwrap();
-                let proved = stable_step(&scheme, integrator, &integer(4)).unwrap();
-                let (low, high) = (proved.limit().lower(), proved.limit().upper());
+                let method = viscous().at_ratio(&ratios[row]).unwrap();
+                let method = method.with("alpha", &integer(column as i64));
+                let plan = SearchPlan::default().up_to(integer(4));
+                let proved = method.step(stepped).unwrap().stable_set("C", &plan).unwrap().limit();
                 // Never below, and above by what a grid of 64 phases or more may miss of a maximum.
-                assert!(*value >= low * (1.0 - 1e-12) && *value <= high * 1.002 + 1e-12);
+                let (low, high) = (proved.lower(), proved.upper());
+                assert!(
+                    *value >= low * (1.0 - 1e-12) && *value <= high * 1.002 + 1e-12,
+                    "{name} {row} {column}: {value} against {low} to {high}"
+                );
             }
         }
-        let published = WaveMethod::Gph { form: Form::Published };
-        let scheme = WaveScheme::new(published, Kernel::CubicSpline, &integer(1)).unwrap();
-        let map = stable_step_map(&scheme, Integrator::Rk4, &ratios, &[1.0], 4.0, &no_progress);
-        assert!(map.unwrap().iter().all(|value| value.is_nan()));
-        assert!(to_f64(&ratios[1]) == 1.5);
     }
 }

@@ -1,9 +1,8 @@
 use super::*;
 use crate::exact::laurent::Laurent;
 use crate::exact::rational::{Rational, ratio, to_f64};
-use crate::kernel::{Density, Kernel};
-use crate::scheme::{Integrator, KernelLattice, catalogue};
-use crate::waves::dispersion::{Form, WaveMethod, WaveScheme};
+use crate::kernel::Kernel;
+use crate::scheme::{Integrator, KernelLattice, LatticeMethod, catalogue};
 use proptest::prelude::*;
 
 fn compiled(text: &str) -> CompiledStep {
@@ -63,40 +62,36 @@ fn forward_waves_come_first() {
     }
 }
 
-/// Particle methods against the closed 2 × 2 forms of the enum of integrators.
+/// Particle methods: a Runge–Kutta method of as many stages as its order multiplies a wave by `Σ_k (−iωΔt)^k/k!`.
 #[test]
-fn particles_agree_with_the_amplification_matrices_of_the_integrators() {
-    use crate::scheme::integrator::Integrator as Old;
-    let methods = [
-        ("sph", WaveMethod::Sph),
-        ("sph-av", WaveMethod::SphAv { alpha: ratio(1, 1) }),
-        ("gph", WaveMethod::Gph { form: Form::Resolved }),
-    ];
-    for (name, method) in methods {
+fn particles_agree_with_the_stability_functions_of_their_frequencies() {
+    for name in ["sph", "sph-av", "gph"] {
         for h in [ratio(6, 5), ratio(5, 2)] {
-            let old = WaveScheme::new(method.clone(), Kernel::CubicSpline, &h).unwrap().compile();
-            let lattice = KernelLattice::new(Kernel::CubicSpline, &h).unwrap();
-            let lattice = lattice.with_density(Density::Summation);
-            for integrator in Old::ALL {
-                let data = Integrator::for_particles(integrator.name()).unwrap();
-                let file = catalogue::method(name).unwrap();
-                let step = file.step(Some(&lattice), Some(data), &[], Some("C")).unwrap();
-                let new = step.compile().unwrap();
+            let method = catalogue::method(name).unwrap();
+            let lattice = LatticeMethod::new(method, Kernel::CubicSpline, &h).unwrap();
+            let waves = lattice.waves().unwrap().compile();
+            for (order, integrator) in (1..).zip(["euler", "heun", "rk3-ssp", "rk4"]) {
+                let step = lattice.step(Integrator::named(integrator).unwrap()).unwrap();
+                let step = step.compile().unwrap();
                 for index in 1..=40 {
                     let phase = f64::from(index) * PI / 40.0;
-                    let time = 0.7;
-                    let expected = old.mode(phase).multipliers(integrator, time * to_f64(&h));
-                    let found = new.multipliers(&[time], phase);
-                    assert_eq!(found.len(), 2, "{name} {integrator:?}");
-                    let pairs = [(0, 1), (1, 0)].map(|(i, j)| {
-                        (found[i] - expected.forward).norm() + (found[j] - expected.backward).norm()
+                    let (exact, time) = (waves.mode(phase).frequencies(), 0.7 * to_f64(&h));
+                    let expected = [exact.forward, exact.backward].map(|omega| {
+                        let lambda = Complex64::new(omega.im, -omega.re) * time;
+                        (1..=order).rev().fold(Complex64::ONE, |sum, k| {
+                            Complex64::ONE + lambda * sum / f64::from(k)
+                        })
                     });
-                    let size = expected.forward.norm() + expected.backward.norm();
-                    let gap = (expected.forward - expected.backward).norm();
+                    let found = step.multipliers(&[0.7], phase);
+                    let apart = |i: usize, j: usize| {
+                        (found[i] - expected[0]).norm() + (found[j] - expected[1]).norm()
+                    };
+                    let size = expected[0].norm() + expected[1].norm();
+                    let gap = (expected[0] - expected[1]).norm();
                     let tolerance = 1e-12 * size * (1.0 + size / gap.max(1e-6));
                     assert!(
-                        pairs[0].min(pairs[1]) < tolerance,
-                        "{name} {integrator:?} {h} {phase}: {found:?} {expected:?}"
+                        apart(0, 1).min(apart(1, 0)) < tolerance,
+                        "{name} {integrator} {h} {phase}: {found:?} {expected:?}"
                     );
                 }
             }

@@ -1,14 +1,15 @@
 //! Figures 2 to 5.
 
 use super::super::{Detail, ReportError};
-use super::{figure_item, paper_scheme, phases, usual_ratio};
+use super::{figure_item, paper_lattice, phases, usual_ratio};
+use crate::cha_whitworth2003::published;
 use crate::figure::{Figure, Side};
 use crate::number::significant;
 use crate::page::Item;
 use crate::wave_map::{WaveMap, amplitude_map, phase_error_map};
 use courant_analysis::exact::rational::{integer, ratio, to_text};
+use courant_analysis::kernel::{Density, Kernel};
 use courant_analysis::waves::dispersion::sweep::{Quantity, even_axis};
-use courant_analysis::waves::dispersion::{Form, WaveMethod};
 use courant_analysis::waves::sweep::{Progress, SweepError};
 use std::ops::ControlFlow;
 
@@ -17,8 +18,6 @@ const SETTINGS: &str = "Cubic B-spline, ρ0 = M/Δ with M = Δ = c = 1 as in the
                         particles sum themselves differs from it between whole h/Δ), 1 ≤ h/Δ ≤ 1.5, \
                         0 < κΔ ≤ π, forward wave, exact in time.";
 
-const VISCOUS: fn() -> WaveMethod = || WaveMethod::SphAv { alpha: integer(1) };
-
 pub fn items(detail: Detail, progress: Progress<'_>) -> Result<Vec<Item>, ReportError> {
     let (columns, rows) = match detail {
         Detail::Full => (200, 151),
@@ -26,30 +25,23 @@ pub fn items(detail: Detail, progress: Progress<'_>) -> Result<Vec<Item>, Report
     };
     let phases = phases(columns);
     let ratios = even_axis(&integer(1), &ratio(3, 2), rows);
-    let methods = [
-        WaveMethod::Sph,
-        VISCOUS(),
-        WaveMethod::Gph { form: Form::Published },
-        WaveMethod::Gph { form: Form::Resolved },
-    ];
-    let mut maps = Vec::new();
-    for (index, method) in methods.into_iter().enumerate() {
-        let part =
-            |done: usize, all: usize| -> ControlFlow<()> { progress(index * all + done, 4 * all) };
-        let scheme = paper_scheme(method, &integer(1))?;
-        maps.push(phase_error_map(&scheme, &phases, &ratios, &part)?);
-    }
-    let [sph, viscous, published, resolved] = &maps[..] else {
-        unreachable!("one map for each of the four methods")
+    let part = |index: usize| {
+        move |done: usize, all: usize| -> ControlFlow<()> { progress(index * all + done, 4 * all) }
     };
+    let map = |index, name: &str| {
+        phase_error_map(&paper_lattice(name, &integer(1))?, &phases, &ratios, &part(index))
+    };
+    let (sph, viscous, resolved) = (map(0, "sph")?, map(1, "sph-av")?, map(2, "gph")?);
+    let (kernel, density) = (Kernel::CubicSpline, Density::MassPerSpacing);
+    let published = published::phase_error_map(kernel, density, &phases, &ratios, &part(3))?;
     let alphas: Vec<f64> = (0..rows).map(|i| 4.0 * i as f64 / (rows - 1) as f64).collect();
     let amplitude =
-        amplitude_map(&paper_scheme(VISCOUS(), &usual_ratio())?, &phases, &alphas, progress)?;
+        amplitude_map(&paper_lattice("sph-av", &usual_ratio())?, &phases, &alphas, progress)?;
     Ok(vec![
-        single("figure_02", sph, "SPH without viscosity", figure_2_caption()?)?,
-        single("figure_03", viscous, "SPH with viscosity, α = 1", figure_3_caption())?,
+        single("figure_02", &sph, "SPH without viscosity", figure_2_caption()?)?,
+        single("figure_03", &viscous, "SPH with viscosity, α = 1", figure_3_caption())?,
         single("figure_04", &amplitude, "SPH with viscosity, h/Δ = 1.2", figure_4_caption()?)?,
-        figure_5(published, resolved)?,
+        figure_5(&published, &resolved)?,
     ])
 }
 
@@ -78,7 +70,7 @@ fn figure_5(published: &WaveMap, resolved: &WaveMap) -> Result<Item, ReportError
 /// The error of the speed of long waves, in percent.
 fn long_wave_error(numerator: i64) -> Result<String, SweepError> {
     let at = ratio(numerator, 100);
-    let waves = paper_scheme(WaveMethod::Sph, &at)?.compile();
+    let waves = paper_lattice("sph", &at)?.waves()?.compile();
     // (κΔ)² of this phase is far below the digits shown.
     let percent = 100.0 * (Quantity::Speed.of(&waves.mode(1e-4)) - 1.0);
     Ok(format!("{percent:+.1} % at h/Δ = {}", significant(numerator as f64 / 100.0, 3)))
@@ -106,7 +98,7 @@ fn figure_3_caption() -> String {
 }
 
 fn figure_4_caption() -> Result<String, SweepError> {
-    let waves = paper_scheme(VISCOUS(), &usual_ratio())?.compile();
+    let waves = paper_lattice("sph-av", &usual_ratio())?.waves()?.compile();
     let amplitudes: Vec<String> = [0.5, 1.0, 2.0]
         .into_iter()
         .map(|alpha| {

@@ -1,7 +1,8 @@
 //! The printed relation of Godunov particle hydrodynamics beside the resolved one.
 
 use super::super::{COMMAND, ReportError};
-use super::{figure_item, paper_scheme, phases, usual_ratio};
+use super::{figure_item, paper_lattice, phases, usual_ratio};
+use crate::cha_whitworth2003::published::PublishedWaves;
 use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
 use crate::number::significant;
 use crate::page::Item;
@@ -9,26 +10,46 @@ use crate::table::{Align, Table};
 use crate::wave_map::wave_number_axis;
 use courant_analysis::exact::rational::{integer, to_f64, to_text};
 use courant_analysis::waves::dispersion::{
-    AmplitudeTime, Branch, CompiledWaves, Form, WaveMethod, amplitude, damping_per_wavelength,
+    AmplitudeTime, Branch, CompiledWaves, Frequencies, amplitude, damping_per_wavelength,
 };
 use courant_analysis::waves::sweep::SweepError;
 use std::f64::consts::PI;
 
-const FORMS: [Form; 2] = [Form::Published, Form::Resolved];
+const PUBLISHED: &str = "published";
+const RESOLVED: &str = "resolved";
+
+/// One of the two relations.
+enum Waves {
+    Published(PublishedWaves),
+    Resolved(CompiledWaves),
+}
+
+impl Waves {
+    fn frequencies(&self, phase: f64) -> Frequencies {
+        match self {
+            Self::Published(waves) => waves.frequencies(phase),
+            Self::Resolved(waves) => waves.mode(phase).frequencies(),
+        }
+    }
+}
 
 pub fn items() -> Result<Vec<Item>, ReportError> {
     Ok(vec![Item::Paragraph(explanation()?), figure()?, table()?])
 }
 
-fn waves(form: Form, whole: bool) -> Result<CompiledWaves, SweepError> {
+fn waves(form: &str, whole: bool) -> Result<Waves, SweepError> {
     let at = if whole { integer(1) } else { usual_ratio() };
-    Ok(paper_scheme(WaveMethod::Gph { form }, &at)?.compile())
+    let lattice = paper_lattice("gph", &at)?;
+    Ok(match form {
+        PUBLISHED => Waves::Published(PublishedWaves::of(&lattice)?),
+        _ => Waves::Resolved(lattice.waves()?.compile()),
+    })
 }
 
 fn explanation() -> Result<String, SweepError> {
-    let long = waves(Form::Published, true)?.mode(1e-4).frequencies();
+    let long = waves(PUBLISHED, true)?.frequencies(1e-4);
     let speed = |branch| significant(long.branch(branch).re / 1e-4, 4);
-    let resolved = waves(Form::Resolved, false)?.mode(1.0).frequencies().forward;
+    let resolved = waves(RESOLVED, false)?.frequencies(1.0).forward;
     Ok(format!(
         "Equations (61) to (64) put each particle on the left of every Riemann problem, whichever side its neighbour is \
          on. The damping terms of the two sides then subtract instead of add: the sum D of |W'| turns into the sum S of \
@@ -61,12 +82,12 @@ fn figure() -> Result<Item, ReportError> {
     .title("(b) damping of the forward wave");
     let mut text = String::from("form,ratio,kappa,branch,omega_re,omega_im\n");
     for (index, (form, whole)) in
-        FORMS.into_iter().flat_map(|form| [(form, true), (form, false)]).enumerate()
+        [PUBLISHED, RESOLVED].into_iter().flat_map(|form| [(form, true), (form, false)]).enumerate()
     {
         let waves = waves(form, whole)?;
         let at = if whole { integer(1) } else { usual_ratio() };
-        let label = format!("{}, h/Δ = {}", form.name(), significant(to_f64(&at), 2));
-        let color = if form == Form::Published { Color::VERMILION } else { Color::BLUE };
+        let label = format!("{}, h/Δ = {}", form, significant(to_f64(&at), 2));
+        let color = if form == PUBLISHED { Color::VERMILION } else { Color::BLUE };
         let line = |points: Vec<(f64, f64)>| {
             Line::new(points)
                 .color(color)
@@ -74,15 +95,14 @@ fn figure() -> Result<Item, ReportError> {
                 .dash(Dash::nth(index % 2))
                 .label(label.clone())
         };
-        let found: Vec<_> =
-            phases.iter().map(|&phase| (phase, waves.mode(phase).frequencies())).collect();
+        let found: Vec<_> = phases.iter().map(|&phase| (phase, waves.frequencies(phase))).collect();
         for branch in Branch::ALL {
             speed = speed.layer(line(
                 found.iter().map(|(phase, f)| (*phase, f.branch(branch).re / phase)).collect(),
             ));
             for (phase, frequencies) in &found {
                 let omega = frequencies.branch(branch);
-                let (form, at, branch) = (form.name(), to_text(&at), branch.name());
+                let (form, at, branch) = (form, to_text(&at), branch.name());
                 text.push_str(&format!("{form},{at},{phase},{branch},{},{}\n", omega.re, omega.im));
             }
         }
@@ -94,10 +114,10 @@ fn figure() -> Result<Item, ReportError> {
         ));
     }
     let figure = Figure::grid(1, 2).size(7.6, 3.5).panel(speed).panel(damping).legend_below();
-    let usual = waves(Form::Resolved, false)?;
+    let usual = waves(RESOLVED, false)?;
     let largest = phases
         .iter()
-        .map(|&phase| damping_per_wavelength(usual.mode(phase).frequencies().forward, phase))
+        .map(|&phase| damping_per_wavelength(usual.frequencies(phase).forward, phase))
         .fold(0.0, f64::max);
     let caption = format!(
         "The two relations of Godunov particle hydrodynamics. (a) The printed one is not symmetric: its two waves travel \
@@ -133,11 +153,11 @@ fn table() -> Result<Item, ReportError> {
             ("amplitude", Align::Right),
         ],
     );
-    let both = [waves(Form::Published, false)?, waves(Form::Resolved, false)?];
+    let both = [waves(PUBLISHED, false)?, waves(RESOLVED, false)?];
     for phase in [0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0] {
         let mut cells = vec![significant(phase, 3), significant(2.0 * PI / phase, 4)];
         for waves in &both {
-            let found = waves.mode(phase).frequencies();
+            let found = waves.frequencies(phase);
             for branch in Branch::ALL {
                 cells.push(significant(found.branch(branch).re / phase, 5));
             }

@@ -1,26 +1,34 @@
 //! The largest stable time step of every integrator, proved.
 
 use super::super::{COMMAND, ReportError};
-use super::usual_ratio;
+use super::{INTEGRATORS, integrator, lattice, usual_ratio};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::integrator::Integrator;
-use courant_analysis::waves::dispersion::{
-    Form, StableStep, WaveMethod, WaveScheme, stable_step, stable_step_within,
-};
+use courant_analysis::scheme::{COURANT, Integrator, LatticeMethod};
+use courant_analysis::stability::{Limit, SearchPlan};
 use courant_analysis::waves::sweep::SweepError;
-use num_traits::Zero;
 use rayon::prelude::*;
 
 /// Steps `c Δt/h` are searched up to here.
 const RANGE: i64 = 8;
 
-fn methods() -> [WaveMethod; 4] {
-    let viscous = |alpha| WaveMethod::SphAv { alpha: integer(alpha) };
-    [WaveMethod::Sph, viscous(1), viscous(2), WaveMethod::Gph { form: Form::Resolved }]
+/// Methods by name, with the viscosity of those that have one.
+const METHODS: [(&str, Option<i64>); 4] =
+    [("sph", None), ("sph-av", Some(1)), ("sph-av", Some(2)), ("gph", None)];
+
+fn method(
+    (name, alpha): (&str, Option<i64>),
+    kernel: Kernel,
+    at: &Rational,
+) -> Result<LatticeMethod, SweepError> {
+    let lattice = lattice(name, kernel, at)?;
+    Ok(match alpha {
+        Some(alpha) => lattice.with("alpha", &integer(alpha)),
+        None => lattice,
+    })
 }
 
 fn ratios() -> [Rational; 4] {
@@ -28,24 +36,16 @@ fn ratios() -> [Rational; 4] {
 }
 
 fn proved(
-    method: &WaveMethod,
-    integrator: Integrator,
-    kernel: Kernel,
-    at: &Rational,
+    method: &LatticeMethod,
+    integrator: &Integrator,
     growth: &Rational,
-) -> Result<StableStep, SweepError> {
-    let scheme = WaveScheme::new(method.clone(), kernel, at)?;
-    let found = if growth.is_zero() {
-        stable_step(&scheme, integrator, &integer(RANGE))
-    } else {
-        stable_step_within(&scheme, integrator, growth, &integer(RANGE))
-    };
-    Ok(found.expect("the methods of these tables are schemes that run"))
+) -> Result<Limit, SweepError> {
+    let plan = SearchPlan::default().up_to(integer(RANGE)).growing(growth.clone());
+    Ok(method.step(integrator)?.stable_set(COURANT, &plan)?.limit())
 }
 
 /// A limit in seven digits, with its closed form where that is short.
-fn shown(step: &StableStep) -> String {
-    let limit = step.limit();
+fn shown(limit: &Limit) -> String {
     if limit.value().is_infinite() {
         return format!("> {}", significant(limit.lower(), 3));
     }
@@ -85,21 +85,21 @@ fn by_integrator() -> Result<Item, ReportError> {
     columns.extend(names.iter().map(|name| (name.as_str(), Align::Right)));
     let caption = "Largest stable c Δt/h, proved: cubic B-spline, ρ0 = M Σ W, isothermal";
     let mut table = Table::new(caption, &columns);
-    let cases: Vec<(Integrator, WaveMethod)> = Integrator::ALL
+    let cases: Vec<_> = INTEGRATORS
         .into_iter()
-        .flat_map(|integrator| methods().into_iter().map(move |method| (integrator, method)))
+        .flat_map(|name| METHODS.map(|method| (integrator(name), method)))
         .collect();
     let rows: Result<Vec<Vec<String>>, SweepError> = cases
         .par_iter()
-        .map(|(integrator, method)| {
+        .map(|&(integrator, named)| {
             let limit = |at: &Rational, growth: &Rational| {
-                proved(method, *integrator, Kernel::CubicSpline, at, growth)
-                    .map(|step| shown(&step))
+                let lattice = method(named, Kernel::CubicSpline, at)?;
+                proved(&lattice, integrator, growth).map(|limit| shown(&limit))
             };
             let mut row = vec![
-                integrator.title().to_owned(),
-                integrator.force_evaluations().to_string(),
-                method.title(),
+                integrator.title.clone(),
+                integrator.stages().to_string(),
+                method(named, Kernel::CubicSpline, &usual_ratio())?.title(),
             ];
             for at in &ratios {
                 row.push(limit(at, &integer(0))?);
@@ -131,22 +131,20 @@ fn by_kernel() -> Result<Item, ReportError> {
             ("evidence", Align::Left),
         ],
     );
-    let cases: Vec<(Kernel, WaveMethod)> = Kernel::ALL
-        .into_iter()
-        .flat_map(|kernel| methods().into_iter().map(move |method| (kernel, method)))
-        .collect();
+    let cases: Vec<_> =
+        Kernel::ALL.into_iter().flat_map(|kernel| METHODS.map(|method| (kernel, method))).collect();
     let rows: Result<Vec<Vec<String>>, SweepError> = cases
         .par_iter()
-        .map(|(kernel, method)| {
-            let step =
-                proved(method, Integrator::LeapfrogKdk, *kernel, &usual_ratio(), &integer(0))?;
+        .map(|&(kernel, named)| {
+            let lattice = method(named, kernel, &usual_ratio())?;
+            let limit = proved(&lattice, integrator("leapfrog-kdk"), &integer(0))?;
             Ok(vec![
                 kernel.title().to_owned(),
-                method.title(),
-                shown(&step),
-                significant(step.per_spacing(), 5),
-                significant(step.per_standard_deviation(), 5),
-                step.limit().evidence().name().into(),
+                lattice.title(),
+                shown(&limit),
+                significant(limit.value() * to_f64(&usual_ratio()), 5),
+                significant(limit.value() / kernel.standard_deviation(), 5),
+                limit.evidence().name().into(),
             ])
         })
         .collect();

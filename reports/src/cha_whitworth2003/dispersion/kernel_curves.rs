@@ -1,14 +1,14 @@
 //! Speed and damping of waves for every kernel, at equal resolution.
 
 use super::super::ReportError;
-use super::{figure_item, phases, usual_ratio};
+use super::{figure_item, lattice, phases, usual_ratio};
 use crate::figure::{Axis, Color, Dash, Figure, Line, Panel, Rule};
 use crate::page::Item;
 use crate::wave_map::wave_number_axis;
-use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
+use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::waves::dispersion::sweep::Quantity;
-use courant_analysis::waves::dispersion::{Form, WaveMethod, WaveScheme};
+use courant_analysis::waves::sweep::SweepError;
 use std::f64::consts::PI;
 
 /// The smoothing ratio, to a thousandth, at which a kernel is as wide as the cubic spline at the usual one.
@@ -18,15 +18,13 @@ fn equal_width_ratio(kernel: Kernel) -> Rational {
 }
 
 pub fn item() -> Result<Item, ReportError> {
-    let viscous = || WaveMethod::SphAv { alpha: integer(1) };
-    let resolved = || WaveMethod::Gph { form: Form::Resolved };
     let speed = "phase speed Re ω/(cκ)";
     let damping = "damping per wavelength";
     let panels = [
-        ("(a) SPH: speed", WaveMethod::Sph, Quantity::Speed, speed),
-        ("(b) GPH, resolved: speed", resolved(), Quantity::Speed, speed),
-        ("(c) SPH, α = 1: damping", viscous(), Quantity::DampingPerWavelength, damping),
-        ("(d) GPH, resolved: damping", resolved(), Quantity::DampingPerWavelength, damping),
+        ("(a) SPH: speed", "sph", Quantity::Speed, speed),
+        ("(b) GPH, resolved: speed", "gph", Quantity::Speed, speed),
+        ("(c) SPH, α = 1: damping", "sph-av", Quantity::DampingPerWavelength, damping),
+        ("(d) GPH, resolved: damping", "gph", Quantity::DampingPerWavelength, damping),
     ];
     let phases = phases(240);
     let mut figure = Figure::grid(2, 2).size(7.4, 6.2).legend_below();
@@ -39,13 +37,11 @@ pub fn item() -> Result<Item, ReportError> {
         }
         for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
             let at = equal_width_ratio(kernel);
-            let scheme = WaveScheme::new(method.clone(), kernel, &at)
-                .map_err(courant_analysis::waves::sweep::SweepError::from)?;
-            let waves = scheme.compile();
+            let waves = lattice(method, kernel, &at)?.waves().map_err(SweepError::from)?.compile();
             let points: Vec<(f64, f64)> =
                 phases.iter().map(|&phase| (phase, quantity.of(&waves.mode(phase)))).collect();
             for (phase, value) in &points {
-                let (method, name, ratio) = (method.name(), kernel.name(), to_text(&at));
+                let (name, ratio) = (kernel.name(), to_text(&at));
                 let what = if quantity == Quantity::Speed { "speed" } else { "damping" };
                 text.push_str(&format!("{method},{what},{name},{ratio},{phase},{value}\n"));
             }

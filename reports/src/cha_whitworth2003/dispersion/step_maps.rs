@@ -1,16 +1,14 @@
 //! The largest stable step of every integrator over the (h, α) plane.
 
 use super::super::{Detail, ReportError};
-use super::figure_item;
+use super::{INTEGRATORS, figure_item, integrator, lattice};
 use crate::figure::{Figure, Side};
 use crate::page::Item;
 use crate::step_map::{StepMap, step_map};
 use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::integrator::Integrator;
 use courant_analysis::waves::dispersion::sweep::even_axis;
-use courant_analysis::waves::dispersion::{WaveMethod, WaveScheme};
-use courant_analysis::waves::sweep::{Progress, SweepError};
+use courant_analysis::waves::sweep::Progress;
 use std::ops::ControlFlow;
 
 pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError> {
@@ -22,25 +20,21 @@ pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError>
     };
     let ratios = even_axis(&integer(1), &integer(2), columns);
     let alphas: Vec<f64> = (0..rows).map(|i| 3.0 * i as f64 / (rows - 1) as f64).collect();
-    let method = WaveMethod::SphAv { alpha: integer(1) };
-    let scheme =
-        WaveScheme::new(method, Kernel::CubicSpline, &integer(1)).map_err(SweepError::from)?;
-    let count = Integrator::ALL.len();
+    let viscous = lattice("sph-av", Kernel::CubicSpline, &integer(1))?;
+    let count = INTEGRATORS.len();
     let mut figure = Figure::grid(count.div_ceil(3), 3).size(8.2, 10.6);
     let mut data = Vec::new();
     let mut maps = Vec::new();
-    for (index, integrator) in Integrator::ALL.into_iter().enumerate() {
+    for (index, integrator) in INTEGRATORS.map(integrator).into_iter().enumerate() {
         let part = |done: usize, all: usize| -> ControlFlow<()> {
             progress(index * all + done, count * all)
         };
-        let map = step_map(&scheme, integrator, &ratios, &alphas, &part)?;
+        let map = step_map(&viscous, integrator, &ratios, &alphas, &part)?;
         let letter = char::from(b'a' + index as u8);
-        let title = match integrator {
-            Integrator::LeapfrogKdkPredicted => "KDK, predicted velocity",
-            other => other.title(),
-        };
+        // Too long for a panel otherwise.
+        let title = integrator.title.trim_start_matches("leapfrog ");
         figure = figure.panel(map.panel(&format!("({letter}) {title}"))?);
-        data.extend(map.data_files(&format!("stable_step_{}", integrator.name())));
+        data.extend(map.data_files(&format!("stable_step_{}", integrator.name)));
         maps.push(map);
     }
     let figure = figure.color_bar(StepMap::color_bar(&maps)?, Side::Right);

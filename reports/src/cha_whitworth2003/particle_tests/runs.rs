@@ -41,7 +41,7 @@ impl Solved {
             options.kernel.title(),
             options.eta,
             options.courant,
-            options.integrator.name()
+            options.integrator.name
         )
     }
 }

@@ -5,6 +5,13 @@ mod neighbours;
 mod pairs;
 mod runs;
 
+use crate::particles::{Integrator, Nystrom, table};
+
+/// The table of an integrator of the catalogue.
+fn explicit(name: &str) -> Nystrom<f64> {
+    table(Integrator::named(name).expect("it is in the list")).expect("it is explicit")
+}
+
 /// Numbers in (0, 1) that look random and are the same everywhere.
 fn scatter(count: usize, seed: u64) -> Vec<f64> {
     let mut state = seed;

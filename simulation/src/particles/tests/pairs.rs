@@ -1,6 +1,6 @@
 //! Symmetry, conservation, and independence of numbering and threads.
 
-use super::scatter;
+use super::{explicit, scatter};
 use crate::particles::*;
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{ExactIdeal, IdealGas, Stopping, VanLeer};
@@ -159,7 +159,7 @@ fn uniform_state_stays_uniform_bit_for_bit() {
             Smoothing::adaptive(1.3),
             &force,
         );
-        let mut stepper = Stepper::new(Integrator::CentredEuler);
+        let mut stepper = Stepper::new(explicit("centred-euler"));
         for _ in 0..20 {
             // Dyadic too, so that x + dt v is exact.
             stepper.step(&mut system, &force, 1.0 / 512.0).expect("a physical state");
@@ -185,7 +185,7 @@ fn evolved<const D: usize>(order: &[usize], force: &impl PairForce) -> Vec<Vecto
         thermal: order.iter().map(|&i| state.thermal[i]).collect(),
         smoothing: order.iter().map(|&i| state.smoothing[i]).collect(),
     };
-    let mut stepper = Stepper::new(Integrator::Rk2Heun);
+    let mut stepper = Stepper::new(explicit("rk2-heun"));
     for _ in 0..3 {
         stepper.begin(&mut system, force).expect("a physical state");
         let dt = 0.02 * stepper.crossing_time(&system);

@@ -1,5 +1,6 @@
 //! Whole runs: conservation as promised, exact solutions met, failures reported.
 
+use super::explicit;
 use crate::particles::*;
 use crate::run::Reason;
 use courant_analysis::kernel::Kernel;
@@ -255,7 +256,7 @@ fn nothing_is_allocated_once_buffers_have_grown() {
         Smoothing::adaptive(1.2),
         &force,
     );
-    let mut stepper = Stepper::new(Integrator::Rk2Heun);
+    let mut stepper = Stepper::new(explicit("rk2-heun"));
     for _ in 0..3 {
         stepper.step(&mut system, &force, 0.1).expect("a physical state");
     }
