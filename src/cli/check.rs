@@ -1,7 +1,6 @@
 //! `courant check`.
 
 use super::columns::{empty, limit_cells, limit_columns, number, subject_cells, subject_columns};
-use super::interim::{Check, Verdict, check};
 use super::limit_text::{describe, length};
 use super::limits::{SearchOptions, no_monotonicity};
 use super::numbers::Numbers;
@@ -12,6 +11,7 @@ use super::subject::{
 use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
+use courant::analysis::stability::verdict::{Check, Verdict, check};
 use courant::analysis::stability::{Limit, PointVerdict, decide_step_at};
 use courant::reports::number::{finite, significant};
 use courant::reports::record::{CheckRecord, LimitRecord};

@@ -4,7 +4,6 @@ mod check;
 mod columns;
 mod dispersion;
 mod error;
-mod interim;
 mod limit_text;
 mod limits;
 mod list;

@@ -174,6 +174,10 @@ pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Optio
     let scale = coarse as i64 - shift;
     let end = |value: BigInt| Rational::from(value) * power_of_two(scale);
     let (lower, upper) = (end(lower), end(upper));
+    if &upper - &lower > &upper * power_of_two(4 - i64::from(bits)) {
+        // Much smaller than the guess: the unit was too coarse.
+        return None;
+    }
     let sign = |end: &Rational| sign_of_value(coefficients, end);
     (sign(&lower) != sign(&upper)).then_some(RealRoot { lower, upper })
 }

@@ -210,17 +210,23 @@ impl Step {
         self.names.known_parameter(name)
     }
 
+    /// `P` with all unknowns substituted that an equation gives by a unit: its null space keeps its dimension.
+    pub(crate) fn reduced(&self) -> Matrix {
+        let mut matrix = self.matrix.clone();
+        let all: Vec<usize> = (0..self.unknowns.len()).collect();
+        if matrix.size() > 1 {
+            matrix.substitute(&all);
+        }
+        matrix
+    }
+
     /// `χ(z) = det P`, auxiliaries substituted first: without the powers of `z`, `E` and names and the integer that all its terms
     /// share. Its roots in `z` are the multipliers.
     ///
     /// # Errors
     /// When it vanishes identically or has no power of `z`.
     pub fn characteristic(&self) -> Result<Laurent, SchemeError> {
-        let mut matrix = self.matrix.clone();
-        let all: Vec<usize> = (0..self.unknowns.len()).collect();
-        if matrix.size() > 1 {
-            matrix.substitute(&all);
-        }
+        let matrix = self.reduced();
         if matrix.size() > MOST_ROWS {
             return Err(SchemeError::TooManyUnknowns(matrix.size()));
         }

@@ -43,6 +43,8 @@ pub struct Requirement {
     pub on_circle: bool,
     /// The polynomial, real on every wave.
     pub polynomial: Laurent,
+    /// The square that it was divided by, up to a shift and a number.
+    pub square: Laurent,
 }
 
 /// All conditions for `|z| ≤ 1`.
@@ -168,8 +170,9 @@ impl Conditions {
         };
         for (condition, polynomial) in requirements {
             // Squares out of the way: boxes do not decide where they touch zero.
-            let polynomial = if degree > 1 { polynomial.odd_part() } else { polynomial };
-            let requirement = Requirement { condition, on_circle, polynomial };
+            let odd = if degree > 1 { polynomial.odd_part() } else { polynomial.clone() };
+            let square = polynomial.divide_exactly(&odd).expect("the odd part divides");
+            let requirement = Requirement { condition, on_circle, polynomial: odd, square };
             if !self.requirements.contains(&requirement) {
                 self.requirements.push(requirement);
             }

@@ -1,10 +1,11 @@
 //! The stable set of a scheme: where all its conditions hold.
 
+use super::at_value::DemandsAt;
 use super::conditions::{Conditions, Requirement};
 use super::inequality::{Inequality, margin_of};
 use super::limit::{Binding, Evidence, ExactValue, Limit};
 use super::margin::Margin;
-use super::pointwise::{PointVerdict, decide_at_parameter};
+use super::pointwise::PointVerdict;
 use super::stable_set::{StableInterval, StableSet};
 use super::{
     DEFAULT_BITS, FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, search_within,
@@ -44,6 +45,9 @@ pub enum Demands {
     /// What is not known: see [`Conditions::undecided`].
     Unknown,
 }
+
+/// With fewer boxes than this nothing is decided about a single value either: see [`check`](super::verdict::check).
+pub(crate) const LEAST_BUDGET: usize = 100;
 
 /// Values looked at when nobody says how far.
 pub const DEFAULT_RANGE: i64 = 100;
@@ -109,10 +113,19 @@ impl Step {
     /// # Errors
     /// As [`limit`](Self::limit).
     pub fn stable_set(&self, parameter: &str, plan: &SearchPlan) -> Result<StableSet, SchemeError> {
-        let mut set = match self.inequalities(parameter, &plan.growth)? {
+        self.stable_set_under(&self.inequalities(parameter, &plan.growth)?, plan)
+    }
+
+    /// [`stable_set`](Self::stable_set) with what is asked for known.
+    pub(crate) fn stable_set_under(
+        &self,
+        demands: &Demands,
+        plan: &SearchPlan,
+    ) -> Result<StableSet, SchemeError> {
+        let mut set = match demands {
             Demands::Nowhere => nowhere(),
             Demands::Unknown => unknown(plan),
-            Demands::All(inequalities) => intersection(&inequalities, plan),
+            Demands::All(inequalities) => intersection(inequalities, plan),
         };
         // One condition of one multiplier knows how fast each wave grows; of others only signs are known.
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
@@ -139,7 +152,7 @@ impl Step {
         self.inequalities_in(Some(variable), growth)
     }
 
-    fn inequalities_in(
+    pub(crate) fn inequalities_in(
         &self,
         variable: Option<Variable>,
         growth: &Rational,
@@ -156,6 +169,7 @@ impl Step {
                 on_circle: false,
                 margin,
                 whatever_the_step,
+                thinned: false,
             }]));
         }
         let conditions = Conditions::new(&characteristic, growth, &self.names);
@@ -318,7 +332,9 @@ fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> StableSet {
     // What one condition leaves open another may exclude; only then it is worth more effort.
     let excluded = |&(lower, upper): &(f64, f64)| {
         let (Some(lower), Some(upper)) = (from_f64(lower), from_f64(upper)) else { return false };
-        [FIRST_PATIENCE, MAX_PATIENCE].into_iter().any(|patience| {
+        let mut allowed =
+            [FIRST_PATIENCE, MAX_PATIENCE].into_iter().filter(|one| *one <= plan.budget);
+        allowed.any(|patience| {
             let outside =
                 |one: &Inequality| is_unstable_throughout(&one.margin, &lower, &upper, patience);
             inequalities.iter().any(outside)
@@ -448,7 +464,7 @@ fn holds_beyond(margin: &Margin, plan: &SearchPlan) -> bool {
         == Sign::NowhereNegative
 }
 
-/// Whether a scheme whose parameters all have values is stable: decided exactly, by Sturm's theorem.
+/// Whether a scheme whose parameters all have values is stable: decided exactly, by the zeros of its conditions.
 ///
 /// # Errors
 /// When a parameter has no value.
@@ -457,18 +473,5 @@ pub fn decide_step_at(step: &Step, growth: &Rational) -> Result<PointVerdict, Sc
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
-    let inequalities = match step.inequalities_in(None, growth)? {
-        Demands::All(inequalities) => inequalities,
-        Demands::Nowhere => return Ok(PointVerdict::Unstable(Rational::new(1.into(), 2.into()))),
-        Demands::Unknown => return Ok(PointVerdict::Undecided),
-    };
-    let mut undecided = false;
-    for inequality in inequalities.iter().filter(|one| !one.margin.is_neutral()) {
-        match decide_at_parameter(&inequality.margin, &Rational::one()) {
-            PointVerdict::Stable => {}
-            PointVerdict::Undecided => undecided = true,
-            unstable => return Ok(unstable),
-        }
-    }
-    Ok(if undecided { PointVerdict::Undecided } else { PointVerdict::Stable })
+    Ok(DemandsAt::new(&step.inequalities_in(None, growth)?).decide())
 }

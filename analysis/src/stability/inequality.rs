@@ -30,6 +30,8 @@ pub struct Inequality {
     pub margin: Margin,
     /// Whether a factor that does not depend on the parameter is negative for some wave: the lattice is unstable whatever the step.
     pub whatever_the_step: bool,
+    /// Whether it was divided by a square that may vanish for all waves at some values of the parameter: there it says nothing.
+    pub thinned: bool,
 }
 
 impl Inequality {
@@ -62,12 +64,13 @@ impl Inequality {
             on_circle: requirement.on_circle,
             margin: margin_of(&polynomial, names, parameter, &Rational::one()),
             whatever_the_step,
+            thinned: parameter.is_some_and(|p| requirement.square.primitive().contains(p)),
         }
     }
 }
 
 /// Shifted so that it is a real function of the wave, if it is one or i times one.
-fn symmetric(polynomial: Laurent) -> Option<Laurent> {
+pub(crate) fn symmetric(polynomial: Laurent) -> Option<Laurent> {
     let mut centred = polynomial;
     for axis in 0..3 {
         let (low, high) = centred.range(Variable::axis(axis))?;

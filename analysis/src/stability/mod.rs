@@ -1,6 +1,7 @@
 //! Which time steps are stable: sign decisions, stable sets, limits and verdicts, each with its evidence.
 
 mod accuracy_study;
+pub(crate) mod at_value;
 mod conditions;
 pub(crate) mod critical;
 mod critical_polynomial;
@@ -11,6 +12,7 @@ mod limit;
 pub mod margin;
 mod monotone_set;
 mod monotonicity;
+mod multiplicity;
 mod pointwise;
 mod sampled;
 mod singular;
@@ -22,11 +24,12 @@ pub use accuracy_study::{AccuracyRow, LimitMethod, accuracy_study};
 pub use conditions::{Condition, Conditions, Requirement};
 pub use decision::{Demands, SearchPlan, decide_step_at};
 pub use inequality::Inequality;
-pub(crate) use inequality::even_series;
+pub(crate) use inequality::{even_series, symmetric};
 pub use limit::{Binding, Cause, Evidence, ExactValue, Limit};
 #[cfg(test)]
 pub(crate) use monotonicity::enclosed_coefficients;
 pub use monotonicity::monotonicity_limit;
+pub use multiplicity::{MultipleMultiplier, Multiplicity, multiplicity_at};
 pub use pointwise::{PointVerdict, decide_at};
 pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
 pub use singular::SingularStep;
@@ -37,5 +40,6 @@ pub use stable_set::{
     stable_set, stable_set_to,
 };
 pub(crate) use stable_set::{
-    FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, phase_parameter, search_within,
+    FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, phase_of, phase_parameter,
+    search_within,
 };

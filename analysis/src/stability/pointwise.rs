@@ -40,14 +40,7 @@ pub fn decide_at(margin: &Margin, courant_number: &Rational) -> PointVerdict {
 
 /// [`decide_at`] the Courant number `t^{1/stride}`, which need not be a fraction, for a margin that is not neutral.
 pub(super) fn decide_at_parameter(margin: &Margin, t: &Rational) -> PointVerdict {
-    let radius: Rational = (0..)
-        .zip(margin.integer_radius())
-        .map(|(power, radius)| t.pow(power) * Rational::from(radius.clone()))
-        .sum();
-    let powers = margin.integer_series().iter().rev();
-    let center = powers.fold(Polynomial::<Rational>::zero(), |sum, series| {
-        sum.scale(t) + series.in_powers_of_s().map(|value| Rational::from(value.clone()))
-    });
+    let (center, radius) = at_parameter(margin, t);
     let lowered = center.clone() - Polynomial::constant(radius.clone());
     match negative_point(&lowered) {
         None => PointVerdict::Stable,
@@ -57,6 +50,19 @@ pub(super) fn decide_at_parameter(margin: &Margin, t: &Rational) -> PointVerdict
             None => PointVerdict::Undecided,
         },
     }
+}
+
+/// A margin whose parameters all have values: the polynomial in `s` and how far it may be from the true one.
+fn at_parameter(margin: &Margin, t: &Rational) -> (Polynomial<Rational>, Rational) {
+    let radius = (0..)
+        .zip(margin.integer_radius())
+        .map(|(power, radius)| t.pow(power) * Rational::from(radius.clone()))
+        .sum();
+    let powers = margin.integer_series().iter().rev();
+    let center = powers.fold(Polynomial::<Rational>::zero(), |sum, series| {
+        sum.scale(t) + series.in_powers_of_s().map(|value| Rational::from(value.clone()))
+    });
+    (center, radius)
 }
 
 /// A point of `[0, 1]` where the polynomial is negative.

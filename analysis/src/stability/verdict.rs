@@ -1,27 +1,32 @@
-//! The verdict on one choice of the Courant number.
+//! The verdict on one value of the parameter.
 
-use crate::exact::rational::{Rational, from_f64, integer, to_f64};
-use crate::scheme::symbol::EnclosedSymbol;
-use crate::stability::margin::Margin;
-use crate::stability::{Limit, StableSet, monotonicity_limit, stable_set};
-use crate::waves::growth::{Extremum, PhaseTable};
+use super::at_value::DemandsAt;
+use super::decision::LEAST_BUDGET;
+use super::multiplicity::multiplicity_at;
+use super::{Evidence, Limit, PointVerdict, SearchPlan, StableSet};
+use crate::exact::rational::{Rational, from_f64, integer};
+use crate::scheme::{SchemeError, Step};
+use crate::waves::Growth;
+use crate::waves::step_growth::growth_under;
 use num_traits::{Signed, Zero};
-use std::f64::consts::LN_2;
 
 /// Growth per step up to which an instability is called weak: doubling takes more than 6900 steps.
 pub const WEAK_GROWTH: f64 = 1e-4;
 
-/// What becomes of the waves at a Courant number.
+/// What becomes of the waves at one value of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// No wave grows, and the Courant number may be raised a little without any wave growing.
+    /// No wave grows, and the value may be changed a little without any wave growing: proved.
     Stable,
-    /// No wave grows, but the Courant number lies on the limit (or closer to it than it is known).
+    /// No wave grows exponentially, but the value lies on an end of the stable set (or closer to it than an `f64` tells), or a
+    /// wave grows like a power of the number of steps.
     Marginal,
-    /// A wave grows, by at most [`WEAK_GROWTH`] per step.
+    /// A wave grows, by at most [`WEAK_GROWTH`] per step: that it grows is proved.
     WeaklyUnstable,
-    /// A wave grows.
+    /// A wave grows: proved.
     Unstable,
+    /// The enclosures of the data, or the work that was allowed, leave it open.
+    Undecided,
 }
 
 impl Verdict {
@@ -32,30 +37,38 @@ impl Verdict {
             Self::Marginal => "marginal",
             Self::WeaklyUnstable => "weakly-unstable",
             Self::Unstable => "unstable",
+            Self::Undecided => "undecided",
         }
     }
 
-    /// Whether no wave grows.
+    /// Whether it is known that no wave grows exponentially.
     pub fn is_stable(self) -> bool {
         matches!(self, Self::Stable | Self::Marginal)
     }
 }
 
-/// All that is known about one Courant number.
-#[derive(Debug, Clone, PartialEq)]
+/// All that is known about one value of the parameter.
+#[derive(Debug, Clone)]
 pub struct Check {
     /// The verdict, decided exactly.
     pub verdict: Verdict,
-    /// Whether every coefficient is non-negative, decided exactly.
-    pub monotone: bool,
-    /// The wave that grows most (or the one that does nothing, `φ = 0`, when none grows).
-    pub strongest: Extremum,
-    /// Steps until the strongest wave has doubled; `None` when none grows.
+    /// Whether every coefficient is non-negative, decided exactly; `None` when the question is not for this scheme, or is left open by
+    /// the enclosures of the data.
+    pub monotone: Option<bool>,
+    /// The wave that grows most, or is damped least when none grows: measured.
+    pub growth: Growth,
+    /// Steps until the amplitude of a growing wave has doubled; `None` when none is known to grow.
     pub steps_to_double: Option<f64>,
-    /// All stable Courant numbers.
+    /// The phase of a wave whose amplitude grows like a power of the number of steps: a multiple multiplier on the unit circle with too
+    /// few eigenvectors.
+    pub double_multiplier: Option<f64>,
+    /// The phase of a shorter wave than the longest that drifts: the multiplier 1 is multiple with too few eigenvectors, nothing pulls
+    /// a displacement back.
+    pub drift: Option<f64>,
+    /// All stable values.
     pub stable_set: StableSet,
-    /// The monotonicity limit.
-    pub monotonicity: Limit,
+    /// All monotone values; `None` when the question is not for this scheme.
+    pub monotone_set: Option<StableSet>,
 }
 
 impl Check {
@@ -64,131 +77,116 @@ impl Check {
         if self.verdict.is_stable() {
             self.stable_set.limit().critical_phase()
         } else {
-            Some(self.strongest.phase)
+            Some(self.growth.phase)
         }
     }
 }
 
-/// Judges a positive Courant number. The stable set is searched up to `max_courant` or four times the
-/// Courant number, whichever is more.
+/// Judges a positive value of a parameter; all others must be set. The stable set is searched up to the end of the plan or four times the
+/// value, whichever is more; a growth that the plan permits is not considered.
 ///
 /// ```
-/// use courant_analysis::{kernel::Kernel, exact::rational::{integer, ratio}, stability::verdict::{Verdict, check}};
-/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-/// let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::Gaussian, integer(1)).unwrap();
-/// let verdict = |courant| check(&scheme.symbol(), &courant, &integer(10)).verdict;
-/// assert_eq!(verdict(ratio(11, 10)), Verdict::Stable);
-/// assert_eq!(verdict(ratio(12, 10)), Verdict::Unstable);   // the value printed in the literature
+/// use courant_analysis::{exact::rational::parse, scheme::Step, stability::SearchPlan};
+/// use courant_analysis::stability::verdict::{Verdict, check};
+/// let leapfrog = Step::from_text("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])")?;
+/// let at = |value: &str| check(&leapfrog, "C", &parse(value).unwrap(), &SearchPlan::default());
+/// assert_eq!(at("0.9")?.verdict, Verdict::Stable);
+/// // At the limit u_j^n = n i^{−n−j} is a solution.
+/// let limit = at("1")?;
+/// assert_eq!((limit.verdict, limit.double_multiplier), (Verdict::Marginal, Some(std::f64::consts::FRAC_PI_2)));
+/// assert_eq!(at("1.00000000000000000001")?.verdict, Verdict::WeaklyUnstable);
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
-pub fn check(symbol: &EnclosedSymbol, courant: &Rational, max_courant: &Rational) -> Check {
-    let range = max_courant.clone().max(courant * integer(4));
-    let stable_set = stable_set(symbol, &Rational::zero(), &range);
-    let monotonicity = monotonicity_limit(symbol, &range);
-    let table = PhaseTable::new(Margin::new(symbol, &Rational::zero()).compile(), 1000);
-    let (strongest, _) = table.extrema(to_f64(courant), &mut Vec::new());
-    let verdict = verdict(&stable_set, courant, strongest.growth);
-    let growing = !verdict.is_stable() && strongest.growth > 0.0;
-    let steps_to_double = growing.then(|| LN_2 / strongest.growth.ln_1p());
-    Check {
-        verdict,
-        monotone: is_monotone(symbol, courant),
-        strongest,
-        steps_to_double,
-        stable_set,
-        monotonicity,
-    }
-}
-
-fn verdict(set: &StableSet, courant: &Rational, growth: f64) -> Verdict {
-    let on_an_end = |limit: &Limit| match limit.exact().and_then(|exact| exact.as_fraction()) {
-        Some(exact) => exact == courant && courant.is_positive(),
-        None => {
-            let within = |bound: f64, below: bool| {
-                from_f64(bound).is_some_and(|b| if below { b <= *courant } else { *courant <= b })
-            };
-            within(limit.lower(), true) && within(limit.upper(), false)
-        }
+///
+/// # Errors
+/// When the parameter does not occur or another has no value.
+pub fn check(
+    step: &Step,
+    parameter: &str,
+    value: &Rational,
+    plan: &SearchPlan,
+) -> Result<Check, SchemeError> {
+    let range = plan.max.clone().max(value * integer(4));
+    let plan = plan.clone().up_to(range).growing(Rational::zero());
+    let asked = step.inequalities(parameter, &Rational::zero())?;
+    let stable_set = step.stable_set_under(&asked, &plan)?;
+    let monotone_set = step.monotone_set(parameter, &plan)?;
+    let at_value = step.with(parameter, value)?;
+    let at_value = at_value.expanded().unwrap_or(at_value);
+    let of_parameter = DemandsAt::of_parameter(&asked, value);
+    // Strict demands on a continuous function of the parameter are met nearby as well.
+    let strict = of_parameter.as_ref().is_some_and(DemandsAt::are_strict);
+    let demands = match of_parameter {
+        Some(demands) => demands,
+        None => DemandsAt::new(&at_value.inequalities_in(None, &Rational::zero())?),
     };
-    if set.neutral {
-        return Verdict::Marginal;
-    }
-    if set.intervals.iter().any(|interval| on_an_end(&interval.from) || on_an_end(&interval.to)) {
-        Verdict::Marginal
-    } else if set.contains(courant) {
-        Verdict::Stable
-    } else if growth <= WEAK_GROWTH {
-        Verdict::WeaklyUnstable
+    let growth = growth_under(&at_value, &demands)?;
+    let decided = if plan.budget < LEAST_BUDGET {
+        // No boxes would be needed, but whoever allows so few wants little work.
+        PointVerdict::Undecided
     } else {
-        Verdict::Unstable
-    }
-}
-
-/// Whether every coefficient is non-negative at this Courant number, beyond the uncertainty of the data.
-fn is_monotone(symbol: &EnclosedSymbol, courant: &Rational) -> bool {
-    let Some((low, high)) = symbol.center().reach() else { return true };
-    let mut power = integer(1);
-    let mut radius = Rational::zero();
-    for (even, odd) in symbol.even_radius().iter().zip(symbol.odd_radius()) {
-        radius += (even + odd) * &power;
-        power *= courant;
-    }
-    let mut coefficients = (low..=high).map(|offset| symbol.center().coefficient(offset));
-    coefficients.all(|c| {
-        let value = c.evaluate(courant);
-        c.degree().is_none() || value.is_zero() && radius.is_zero() || value > radius
+        demands.decide()
+    };
+    let multiplicity = match decided {
+        PointVerdict::Stable => multiplicity_at(&at_value)?,
+        _ => Default::default(),
+    };
+    let verdict = match decided {
+        PointVerdict::Undecided => Verdict::Undecided,
+        PointVerdict::Unstable(_) if growth.per_step <= WEAK_GROWTH => Verdict::WeaklyUnstable,
+        PointVerdict::Unstable(_) => Verdict::Unstable,
+        PointVerdict::Stable
+            if multiplicity.growing.is_some() || !is_inside(&stable_set, value, strict) =>
+        {
+            Verdict::Marginal
+        }
+        PointVerdict::Stable => Verdict::Stable,
+    };
+    let grows = matches!(verdict, Verdict::WeaklyUnstable | Verdict::Unstable);
+    Ok(Check {
+        verdict,
+        monotone: is_monotone(step, parameter, value),
+        growth,
+        steps_to_double: if grows { growth.steps_to_double() } else { None },
+        double_multiplier: multiplicity.growing.map(|found| found.phase),
+        drift: multiplicity.drift.map(|found| found.phase),
+        stable_set,
+        monotone_set,
     })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::exact::rational::ratio;
-    use crate::kernel::Kernel;
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-
-    fn judge(scheme: AdvectionScheme, kernel: Kernel, l: Rational, courant: Rational) -> Check {
-        let symbol = Discretisation::new(scheme, kernel, l).unwrap().symbol();
-        check(&symbol, &courant, &integer(20))
-    }
-
-    #[test]
-    fn the_exact_shift_is_marginal_and_monotone() {
-        let found = judge(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1), integer(1));
-        assert_eq!((found.verdict, found.monotone), (Verdict::Marginal, true));
-        assert_eq!(found.strongest.growth, 0.0);
-        assert_eq!(found.steps_to_double, None);
-    }
-
-    #[test]
-    fn the_limit_itself_is_marginal_and_a_hair_above_is_unstable() {
-        let godunov = |c| judge(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2), c);
-        assert_eq!(godunov(ratio(15, 8)).verdict, Verdict::Marginal);
-        let above = godunov(ratio(15, 8) + ratio(1, 1_000_000));
-        assert_eq!(above.verdict, Verdict::WeaklyUnstable);
-        assert!(above.strongest.growth > 0.0 && above.steps_to_double.is_some());
-        assert_eq!(godunov(ratio(18, 10)).verdict, Verdict::Stable);
-    }
-
-    #[test]
-    fn steps_to_double_double() {
-        let found = judge(AdvectionScheme::GodunovSph, Kernel::Gaussian, integer(1), ratio(12, 10));
-        assert_eq!((found.verdict, found.monotone), (Verdict::Unstable, false));
-        let steps = found.steps_to_double.unwrap();
-        assert!(((1.0 + found.strongest.growth).powf(steps) - 2.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn lax_wendroff_with_the_cut_gaussian_is_weakly_unstable() {
-        let found =
-            judge(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, integer(3), integer(2));
-        assert_eq!(found.verdict, Verdict::WeaklyUnstable);
-        assert!(found.strongest.growth > 0.0 && found.strongest.growth < 1e-4);
-    }
-
-    #[test]
-    fn monotone_exactly_up_to_the_limit() {
-        let godunov = |c| judge(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2), c);
-        assert!(godunov(ratio(8, 5)).monotone);
-        assert!(!godunov(ratio(8, 5) + ratio(1, 1 << 40)).monotone);
-    }
+/// Whether values a little to either side are stable too, where the value itself is; `strict` where that is known of it alone.
+fn is_inside(set: &StableSet, value: &Rational, strict: bool) -> bool {
+    let mut ends = set.intervals.iter().flat_map(|interval| [&interval.from, &interval.to]);
+    !ends.any(|end| is_at(end, value)) && (set.contains(value) || strict)
 }
+
+/// Whether a value is an end, or cannot be told from it by an `f64`.
+fn is_at(end: &Limit, value: &Rational) -> bool {
+    if let Some(exact) = end.exact().and_then(|exact| exact.as_fraction()) {
+        return exact == value && value.is_positive();
+    }
+    let (Some(lower), Some(upper)) = (from_f64(end.lower()), from_f64(end.upper())) else {
+        return false;
+    };
+    end.evidence() != Evidence::Undecided && lower <= *value && *value <= upper
+}
+
+/// Whether every coefficient is non-negative, as far as the uncertainty of the data allows to say.
+fn is_monotone(step: &Step, parameter: &str, value: &Rational) -> Option<bool> {
+    let one_step = step.one_step(parameter)?;
+    let mut all = Some(true);
+    for (_, center, radius) in &one_step.coefficients {
+        let (center, radius) = (center.evaluate(value), radius.evaluate(value));
+        if (&center + &radius).is_negative() {
+            return Some(false);
+        }
+        if (&center - &radius).is_negative() {
+            all = None;
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,9 +1,15 @@
 //! What a scheme does to its waves, in floating point: multipliers, growth, sweeps, dispersion.
 
+pub(crate) mod bands;
 pub mod consistency;
 pub mod dispersion;
 pub mod growth;
 pub mod multipliers;
+pub(crate) mod precise;
 mod roots;
+pub mod step_growth;
 pub mod sweep;
 pub(crate) mod wave_terms;
+
+pub use multipliers::CompiledStep;
+pub use step_growth::{Growth, growth_at};

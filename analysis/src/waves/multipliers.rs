@@ -1,7 +1,7 @@
 //! What one step does to each wave: the multipliers, in `f64`.
 
 use super::roots::roots;
-use super::wave_terms::{Factored, WaveTerm, difference_terms};
+use super::wave_terms::{Factored, WaveTerm, difference_terms, primitive_characteristic};
 use crate::exact::cosine_series::CosineSeries;
 use crate::exact::laurent::Variable;
 use crate::exact::rational::quotient_to_f64;
@@ -45,11 +45,17 @@ impl Step {
     /// # Errors
     /// When there is no characteristic polynomial, or more than one space dimension.
     pub fn compile(&self) -> Result<CompiledStep, SchemeError> {
-        let terms = difference_terms(self)?;
-        let parameters = self.free_parameters();
+        Ok(CompiledStep::new(self, &difference_terms(&primitive_characteristic(self)?)))
+    }
+}
+
+impl CompiledStep {
+    /// From the [terms](difference_terms) of a step.
+    pub(crate) fn new(step: &Step, terms: &[Vec<WaveTerm>]) -> Self {
+        let parameters = step.free_parameters();
         let places: Vec<Variable> =
-            parameters.iter().filter_map(|name| self.names.parameter(name)).collect();
-        let letters: Vec<_> = self.names.letters().collect();
+            parameters.iter().filter_map(|name| step.names.parameter(name)).collect();
+        let letters: Vec<_> = step.names.letters().collect();
         // One power of two makes the largest coefficient about 1.
         let numbers = terms.iter().flatten().flat_map(|term| {
             [&term.even, &term.odd].into_iter().flat_map(|part| part.series.coefficients())
@@ -72,15 +78,13 @@ impl Step {
                 odd: part(&term.odd),
             }
         };
-        Ok(CompiledStep {
+        Self {
             powers: terms.iter().map(|power| power.iter().map(compiled).collect()).collect(),
             letters: letters.iter().map(|(_, letter)| letter.value.compile()).collect(),
             parameters,
-        })
+        }
     }
-}
 
-impl CompiledStep {
     /// The names of the parameters whose values are to be given, in their order.
     pub fn parameters(&self) -> &[String] {
         &self.parameters
@@ -114,7 +118,7 @@ impl CompiledStep {
 
     /// `z − 1` of the multipliers in the same order, with the digits that a long wave leaves.
     pub fn differences(&self, values: &[f64], phase: f64) -> Vec<Complex64> {
-        let mut found = roots(&self.coefficients(values, phase));
+        let mut found = roots(&self.coefficients(values, &Wave::new(phase)));
         let modulus = |y: &Complex64| (y + 1.0).norm();
         found.sort_by(|a, b| {
             let sides = a.im.total_cmp(&b.im);
@@ -124,8 +128,7 @@ impl CompiledStep {
     }
 
     /// `[b_0, b_1, …]` of `χ(1 + y)`, up to a factor.
-    pub(crate) fn coefficients(&self, values: &[f64], phase: f64) -> Vec<Complex64> {
-        let wave = Wave::new(phase);
+    fn coefficients(&self, values: &[f64], wave: &Wave) -> Vec<Complex64> {
         let letters: Vec<f64> =
             self.letters.iter().map(|letter| letter.at_cosine(wave.cosine)).collect();
         let product = |of: &[(usize, i32)], numbers: &[f64]| -> f64 {
@@ -172,9 +175,11 @@ impl Wave {
         if part.series.is_zero() {
             return 0.0;
         }
-        self.s.powi(part.s_power)
-            * self.complement.powi(part.complement_power)
-            * part.series.at_cosine(self.cosine)
+        self.factor(part) * part.series.at_cosine(self.cosine)
+    }
+
+    fn factor(&self, part: &Factored<f64>) -> f64 {
+        self.s.powi(part.s_power) * self.complement.powi(part.complement_power)
     }
 }
 

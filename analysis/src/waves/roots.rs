@@ -147,14 +147,15 @@ fn newton_step(a: &[Complex64], y: Complex64) -> (Complex64, bool) {
 }
 
 fn starting_points(a: &[Complex64]) -> Vec<Complex64> {
-    let degree = a.len() - 1;
-    // The upper convex hull of (j, log |a_j|): each edge is a circle with as many roots as it is long.
-    let heights: Vec<(usize, f64)> = a
-        .iter()
-        .enumerate()
-        .filter(|(_, value)| **value != Complex64::ZERO)
-        .map(|(j, value)| (j, value.norm().ln()))
-        .collect();
+    let heights = a.iter().enumerate().filter(|(_, value)| **value != Complex64::ZERO);
+    let heights = heights.map(|(j, value)| (j, value.norm().ln())).collect();
+    let point = |(logarithm, angle): (f64, f64)| Complex64::from_polar(logarithm.exp(), angle);
+    circles(heights).into_iter().map(point).collect()
+}
+
+/// Logarithms of moduli and angles to start from: the upper convex hull of `(j, log |a_j|)` is as many circles as it has edges,
+/// each with as many roots as its edge is long.
+pub(super) fn circles(heights: Vec<(usize, f64)>) -> Vec<(f64, f64)> {
     let slope = |p: (usize, f64), q: (usize, f64)| (q.1 - p.1) / (q.0 - p.0) as f64;
     let mut hull: Vec<(usize, f64)> = Vec::new();
     for point in heights {
@@ -165,13 +166,13 @@ fn starting_points(a: &[Complex64]) -> Vec<Complex64> {
         }
         hull.push(point);
     }
+    let degree = hull.last().map_or(1, |last| last.0);
     let mut points = Vec::with_capacity(degree);
     for (edge, pair) in hull.windows(2).enumerate() {
-        let radius = (-slope(pair[0], pair[1])).exp();
         let count = pair[1].0 - pair[0].0;
         for k in 0..count {
             let turn = k as f64 / count as f64 + edge as f64 / degree as f64;
-            points.push(Complex64::from_polar(radius, std::f64::consts::TAU * turn + 0.7));
+            points.push((-slope(pair[0], pair[1]), std::f64::consts::TAU * turn + 0.7));
         }
     }
     points

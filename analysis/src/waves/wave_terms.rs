@@ -24,21 +24,20 @@ pub(crate) struct WaveTerm {
     pub(crate) odd: Factored<BigInt>,
 }
 
-/// `[b_0, b_1, …]` of `χ(1 + y) = Σ_j b_j y^j`, times a power of `E` that makes them as real as it goes, without the factor that all
-/// share. Differences `y = z − 1` keep the digits of long waves.
-pub(crate) fn difference_terms(step: &Step) -> Result<Vec<Vec<WaveTerm>>, SchemeError> {
+/// `χ(z)` without the factor that all its coefficients share.
+pub(crate) fn primitive_characteristic(step: &Step) -> Result<Laurent, SchemeError> {
     if step.dimension() != 1 {
         return Err(SchemeError::Dimension(step.dimension()));
     }
     let characteristic = step.characteristic()?;
     let content = characteristic.content(Variable::TIME);
-    let primitive = characteristic.divide_exactly(&content).expect("a content divides");
-    Ok(terms_of(&primitive))
+    Ok(characteristic.divide_exactly(&content).expect("a content divides"))
 }
 
-/// [`difference_terms`] of a polynomial in `z`.
-pub(crate) fn terms_of(polynomial: &Laurent) -> Vec<Vec<WaveTerm>> {
-    let powers = polynomial.coefficients(Variable::TIME);
+/// `[b_0, b_1, …]` of `χ(1 + y) = Σ_j b_j y^j`, times a power of `E` that makes them as real as it goes. Differences `y = z − 1` keep
+/// the digits of long waves.
+pub(crate) fn difference_terms(chi: &Laurent) -> Vec<Vec<WaveTerm>> {
+    let powers = chi.coefficients(Variable::TIME);
     let leading = powers.last().and_then(|last| last.range(Variable::axis(0)));
     let middle = leading.map_or(0, |(low, high)| (low + high).div_euclid(2));
     let centred: Vec<Laurent> =

@@ -8,7 +8,7 @@ use super::levels::{PARAMETER, to_laurent};
 use crate::exact::bernstein::MarginForm;
 use crate::exact::common_factor::common_square_root;
 use crate::exact::enclosed_series::EnclosedSeries;
-use crate::exact::laurent::Variable;
+use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::Rational;
 use crate::scheme::Names;
@@ -64,7 +64,9 @@ fn exact_margin(derived: &Derived, subject: &Subject) -> Result<Margin, Certific
     let variable = variable.ok_or(CertificationError::NotWritten("there are too many names"))?;
     let polynomial = to_laurent(&derived.polynomial);
     let polynomial = if polynomial.is_zero() { polynomial } else { polynomial.odd_part() };
-    let requirement = Requirement { condition: Kind::Minor(1), on_circle: false, polynomial };
+    let square = Laurent::integer(1);
+    let requirement =
+        Requirement { condition: Kind::Minor(1), on_circle: false, polynomial, square };
     Ok(Inequality::new(&requirement, &names, Some(variable)).margin)
 }
 

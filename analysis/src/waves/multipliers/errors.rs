@@ -1,6 +1,7 @@
 //! How far computed multipliers may be off.
 
 use super::{CompiledStep, CompiledTerm, Wave};
+use crate::waves::roots::roots;
 use num_complex::Complex64;
 
 /// Roundings of the longest chain of operations behind a coefficient.
@@ -12,26 +13,41 @@ impl CompiledStep {
     /// A polynomial whose value at `y` is below `η` has a root within `min_m (C(n, m) η m!/|χ⁽ᵐ⁾(y)|)^{1/m}` of it (Henrici 1974,
     /// chapter 6): about `η` for a simple root, the m-th root of that where m roots meet.
     pub fn multipliers_with_errors(&self, values: &[f64], phase: f64) -> Vec<(Complex64, f64)> {
-        let coefficients = self.coefficients(values, phase);
-        let sizes = self.sizes(values, phase);
+        let wave = Wave::new(phase);
+        let (coefficients, sizes) = (self.coefficients(values, &wave), self.sizes(values, &wave));
         let differences = self.differences(values, phase).into_iter();
         differences.map(|y| (y + 1.0, root_error(&coefficients, &sizes, y))).collect()
     }
 
+    /// `|z|² − 1` of the largest multiplier of the wave with this `s = sin²(φ/2)` and `1 − s`, and a bound on its error, where no
+    /// parameter is free; infinite where it is not known at all.
+    pub(crate) fn largest_excess(&self, s: f64, complement: f64) -> (f64, f64) {
+        let sine = 2.0 * (s * complement).sqrt();
+        let wave = Wave { sine, cosine: complement - s, s, complement };
+        let (coefficients, sizes) = (self.coefficients(&[], &wave), self.sizes(&[], &wave));
+        let (mut largest, mut most) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        for y in roots(&coefficients) {
+            let moved = root_error(&coefficients, &sizes, y);
+            let excess = 2.0 * y.re + y.norm_sqr();
+            let high = excess + (2.0 * (y + 1.0).norm() + moved) * moved;
+            if !high.is_finite() {
+                return (0.0, f64::INFINITY);
+            }
+            (largest, most) = (largest.max(excess), most.max(high));
+        }
+        (largest, most - largest)
+    }
+
     /// What is added up to each coefficient, in absolute values.
-    fn sizes(&self, values: &[f64], phase: f64) -> Vec<f64> {
-        let wave = Wave::new(phase);
+    fn sizes(&self, values: &[f64], wave: &Wave) -> Vec<f64> {
         let sum = |coefficients: &[f64]| coefficients.iter().map(|c| c.abs()).sum::<f64>();
         let letters: Vec<f64> =
             self.letters.iter().map(|letter| sum(letter.coefficients())).collect();
         let term = |term: &CompiledTerm| -> f64 {
             let parameters = term.parameters.iter().map(|&(p, power)| values[p].abs().powi(power));
             let letters = term.letters.iter().map(|&(letter, power)| letters[letter].powi(power));
-            let parts = [&term.even, &term.odd].map(|part| {
-                wave.s.powi(part.s_power)
-                    * wave.complement.powi(part.complement_power)
-                    * sum(part.series.coefficients())
-            });
+            let parts = [&term.even, &term.odd]
+                .map(|part| wave.factor(part) * sum(part.series.coefficients()));
             parameters.chain(letters).product::<f64>() * parts.iter().sum::<f64>()
         };
         self.powers.iter().map(|terms| terms.iter().map(term).sum()).collect()

@@ -10,12 +10,12 @@ use courant_analysis::exact::rational::{Rational, integer, parse, ratio, to_f64,
 use courant_analysis::exact::stencil::Stencil;
 use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::symbol::{EnclosedSymbol, Symbol};
-use courant_analysis::scheme::{AdvectionScheme, search_range};
+use courant_analysis::scheme::{AdvectionScheme, KernelLattice, catalogue, search_range};
 use courant_analysis::stability::margin::Margin;
 use courant_analysis::stability::verdict::check;
 use courant_analysis::stability::weak_instability::long_wave_behaviour;
 use courant_analysis::stability::{
-    Limit, LimitMethod, StableSet, growth_limit, stability_limit, stable_set,
+    Limit, LimitMethod, SearchPlan, StableSet, growth_limit, stability_limit, stable_set,
 };
 use num_traits::Zero;
 
@@ -60,11 +60,16 @@ pub(super) fn table() -> Item {
         "Godunov, cubic, ratio 1, C = 1/2: relative error of 1 − |g|²".into(),
         significant((margin.at(0.5, phase) / exact - 1.0).abs(), 2),
     ]);
-    let shift = check(&godunov(&integer(1)), &integer(1), &integer(20));
+    let lattice = KernelLattice::new(Kernel::CubicSpline, &integer(1)).expect("a ratio in range");
+    let shift = catalogue::scheme("godunov-sph")
+        .expect("it is in the catalogue")
+        .step(Some(&lattice), None, &[], Some("C"))
+        .and_then(|step| check(&step, "C", &integer(1), &SearchPlan::default()))
+        .expect("the scheme has one parameter");
     table.push([
         "exactly neutral".into(),
         "Godunov, cubic, ratio 1, C = 1 is the exact shift".into(),
-        format!("{}, growth {}", shift.verdict.name(), shift.strongest.growth),
+        format!("{}, growth {}", shift.verdict.name(), shift.growth.per_step),
     ]);
     let weak = symbol(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, &integer(3));
     let budgets: Vec<String> = ["0", "1e-9", "1e-6", "1e-4", "1e-3", "1e-2"]

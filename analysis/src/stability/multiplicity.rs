@@ -1,0 +1,264 @@
+//! Waves that grow like a power of the number of steps: multiple multipliers on the unit circle with too few eigenvectors.
+
+use super::at_value::zeros_of;
+use super::inequality::symmetric;
+use crate::exact::float::{ComplexFloat, Float};
+use crate::exact::laurent::{Laurent, Variable, greatest_common_divisor};
+use crate::exact::matrix::Matrix;
+use crate::exact::rational::{Rational, integer, ratio};
+use crate::scheme::{Letter, SchemeError, Step};
+use crate::waves::precise::{Place, PreciseStep};
+use crate::waves::wave_terms::{difference_terms, primitive_characteristic};
+use num_bigint::BigInt;
+use num_complex::Complex64;
+use num_traits::Zero;
+
+/// Bits of the arithmetic in which multipliers and ranks are looked at: 150 digits.
+const BITS: u32 = 512;
+
+/// Bits to which waves are enclosed whose multipliers meet.
+const WAVE_BITS: u32 = 192;
+
+/// Multipliers nearer than this power of two are one: where two meet, the enclosure of the wave parts them by the root of its width.
+const CLOSE: i64 = -40;
+
+/// What is below this power of two is zero.
+const NOTHING: i64 = -60;
+
+/// The discriminant of a polynomial in `z` of higher degree is not expanded.
+const MOST_DEGREE: usize = 4;
+
+/// A multiplier on the unit circle that is multiple, and has fewer eigenvectors than that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MultipleMultiplier {
+    /// The phase of the wave, in radians.
+    pub phase: f64,
+    /// The multiplier.
+    pub multiplier: Complex64,
+    /// How often it is a root.
+    pub multiplicity: usize,
+    /// How many independent eigenvectors it has.
+    pub eigenvectors: usize,
+    /// Whether the waves looked at are all whose multipliers meet: the zeros of a discriminant, isolated exactly. Multiplicity and
+    /// eigenvectors are always counted in arithmetic of 150 digits.
+    pub all_waves: bool,
+}
+
+/// The waves with such multipliers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Multiplicity {
+    /// One whose amplitude grows like a power of the number of steps.
+    pub growing: Option<MultipleMultiplier>,
+    /// One with the multiplier 1, shorter than the longest: a displacement that nothing pulls back and that drifts. The drift of the
+    /// longest wave is that of the differential equation, and not named.
+    pub drift: Option<MultipleMultiplier>,
+}
+
+/// Looks for multiple multipliers of a step whose parameters all have values.
+///
+/// ```
+/// use courant_analysis::{exact::rational::integer, scheme::Step, stability::multiplicity_at};
+/// let leapfrog = Step::from_text("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])")?;
+/// let found = multiplicity_at(&leapfrog.with("C", &integer(1))?)?.growing.unwrap();
+/// assert_eq!((found.multiplicity, found.eigenvectors), (2, 1));
+/// // −i at a quarter of the circle.
+/// assert!((found.phase - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && (found.multiplier.im + 1.0).abs() < 1e-15);
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
+/// ```
+///
+/// # Errors
+/// When a parameter has no value.
+pub fn multiplicity_at(step: &Step) -> Result<Multiplicity, SchemeError> {
+    let open = step.free_parameters();
+    if !open.is_empty() {
+        return Err(SchemeError::NotSet(open));
+    }
+    let chi = primitive_characteristic(step)?;
+    let terms = difference_terms(&chi);
+    let chi = chi.coefficients(Variable::TIME);
+    if chi.len() < 3 {
+        return Ok(Multiplicity::default());
+    }
+    let (waves, all_waves) = meeting_waves(step, &chi);
+    let matrix = step.reduced();
+    let precise = PreciseStep::new(step, &terms, BITS);
+    let mut result = Multiplicity::default();
+    for s in waves {
+        let place = precise.place(&s, &Rational::zero(), 0.0);
+        for found in multiple_at(step, &matrix, &precise, &place) {
+            let found = MultipleMultiplier { all_waves, ..found };
+            let is_one = (found.multiplier - 1.0).norm() < 1e-15;
+            match (is_one, s.is_zero()) {
+                (false, _) => result.growing = result.growing.or(Some(found)),
+                (true, false) => result.drift = result.drift.or(Some(found)),
+                (true, true) => {}
+            }
+        }
+    }
+    Ok(result)
+}
+
+/// The waves for which two multipliers may be equal, and whether these are all.
+fn meeting_waves(step: &Step, chi: &[Laurent]) -> (Vec<Rational>, bool) {
+    let ends = vec![integer(0), integer(1)];
+    let whole = Laurent::from_coefficients(chi, Variable::TIME);
+    let repeated = greatest_common_divisor(&whole, &whole.derivative(Variable::TIME));
+    let (mut waves, mut simple) = (ends, chi.to_vec());
+    if repeated.contains(Variable::TIME)
+        && let Some(rest) = whole.divide_exactly(&repeated)
+    {
+        // Equal for every wave: any will do.
+        waves.push(ratio(1, 3));
+        simple = rest.coefficients(Variable::TIME);
+    }
+    if simple.len() > MOST_DEGREE + 1 {
+        return (waves, false);
+    }
+    if simple.len() == 3 && simple.iter().all(Laurent::is_real) {
+        return (real_pairs(step, &simple, waves), true);
+    }
+    let discriminant = step.names.reduce(discriminant(&simple));
+    let real = symmetric(discriminant.clone())
+        .unwrap_or_else(|| step.names.reduce(&discriminant * &discriminant.conjugate()));
+    if real.is_zero() {
+        waves.push(ratio(1, 3));
+    }
+    let inexact = |(variable, letter): (Variable, &Letter)| {
+        real.contains(variable) && !letter.value.is_exact()
+    };
+    let all_waves = !step.names.letters().any(inexact);
+    waves.extend(zeros_of(&real, &step.names, WAVE_BITS));
+    (waves, all_waves)
+}
+
+/// Of two multipliers of a real polynomial only ±1 can be equal on the circle: the waves for which value and derivative vanish there.
+fn real_pairs(step: &Step, chi: &[Laurent], mut waves: Vec<Rational>) -> Vec<Rational> {
+    for sign in [1, -1] {
+        let at = |coefficients: &[Laurent]| {
+            let terms = coefficients.iter().enumerate();
+            let value = terms.fold(Laurent::default(), |sum, (power, value)| {
+                sum + value.scaled(&BigInt::from(if power % 2 == 1 { sign } else { 1 }))
+            });
+            step.names.reduce(value)
+        };
+        let both = greatest_common_divisor(&at(chi), &at(&derivative(chi)));
+        if both.is_zero() {
+            waves.push(ratio(1, 3));
+        } else if let Some(real) = symmetric(both) {
+            waves.extend(zeros_of(&real, &step.names, WAVE_BITS));
+        }
+    }
+    waves
+}
+
+fn derivative(a: &[Laurent]) -> Vec<Laurent> {
+    (1..).zip(&a[1..]).map(|(power, value)| value.scaled(&BigInt::from(power))).collect()
+}
+
+/// The resultant of a polynomial `[a_0, a_1, …]` and its derivative: the determinant of Sylvester's matrix.
+fn discriminant(a: &[Laurent]) -> Laurent {
+    let degree = a.len() - 1;
+    if degree < 2 {
+        return Laurent::integer(1);
+    }
+    let derivative = derivative(a);
+    let size = 2 * degree - 1;
+    let row = |polynomial: &[Laurent], shift: usize| {
+        let mut row = vec![Laurent::default(); size];
+        row[shift..shift + polynomial.len()].clone_from_slice(polynomial);
+        row
+    };
+    let upper = (0..degree - 1).map(|shift| row(a, shift));
+    let lower = (0..degree).map(|shift| row(&derivative, shift));
+    Matrix::new(upper.chain(lower).collect()).determinant()
+}
+
+/// The multiple multipliers on the circle of one wave that lack eigenvectors.
+fn multiple_at(
+    step: &Step,
+    matrix: &Matrix,
+    precise: &PreciseStep,
+    place: &Place,
+) -> Vec<MultipleMultiplier> {
+    let mut rest = precise.differences(&precise.coefficients(place));
+    let mut found = Vec::new();
+    while let Some(first) = rest.pop() {
+        let near = |y: &ComplexFloat| is_below(&(y - &first), CLOSE);
+        let (mut cluster, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(near);
+        rest = others;
+        cluster.push(first);
+        let multiplicity = cluster.len();
+        if multiplicity < 2 {
+            continue;
+        }
+        let zero = ComplexFloat::real(Float::zero(BITS));
+        let sum = cluster.iter().fold(zero, |sum, y| &sum + y);
+        let count = ComplexFloat::real(Float::integer(&multiplicity.into(), BITS));
+        let mean = &sum / &count;
+        let excess = ComplexFloat::real(&mean.re.clone().scaled(1) + &mean.norm_sqr());
+        if !is_below(&excess, NOTHING) {
+            continue;
+        }
+        let z = &mean + &ComplexFloat::real(Float::integer(&1.into(), BITS));
+        let eigenvectors = nullity(step, matrix, precise, place, &z);
+        if eigenvectors < multiplicity {
+            found.push(MultipleMultiplier {
+                phase: place.phase(),
+                multiplier: z.to_c64(),
+                multiplicity,
+                eigenvectors,
+                all_waves: true,
+            });
+        }
+    }
+    found
+}
+
+fn is_below(value: &ComplexFloat, exponent: i64) -> bool {
+    value.magnitude().is_none_or(|magnitude| magnitude < exponent)
+}
+
+/// The dimension of the null space of `P(z, E)`, by elimination with full pivoting, rows in units of their largest term.
+fn nullity(
+    step: &Step,
+    matrix: &Matrix,
+    precise: &PreciseStep,
+    place: &Place,
+    z: &ComplexFloat,
+) -> usize {
+    if matrix.size() == 1 {
+        return 1;
+    }
+    let mut rows: Vec<Vec<ComplexFloat>> = matrix
+        .rows()
+        .iter()
+        .map(|row| {
+            let entries: Vec<_> =
+                row.iter().map(|entry| precise.value(entry, step, place, z)).collect();
+            let unit = entries.iter().filter_map(|entry| entry.1).max().unwrap_or(0);
+            entries.into_iter().map(|entry| entry.0.scaled(-unit)).collect()
+        })
+        .collect();
+    let size = rows.len();
+    for rank in 0..size {
+        let places = (rank..size).flat_map(|i| (rank..size).map(move |j| (i, j)));
+        let largest = places.max_by_key(|&(i, j)| rows[i][j].magnitude().unwrap_or(i64::MIN));
+        let Some((row, column)) = largest.filter(|&(i, j)| !is_below(&rows[i][j], NOTHING)) else {
+            return size - rank;
+        };
+        rows.swap(rank, row);
+        rows.iter_mut().for_each(|row| row.swap(rank, column));
+        let (pivots, below) = rows.split_at_mut(rank + 1);
+        let pivot = &pivots[rank];
+        for row in below {
+            let factor = &row[rank] / &pivot[rank];
+            for j in rank..size {
+                row[j] = &row[j] - &(&factor * &pivot[j]);
+            }
+        }
+    }
+    0
+}
+
+#[cfg(test)]
+mod tests;

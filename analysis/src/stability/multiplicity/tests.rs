@@ -1,0 +1,64 @@
+use super::*;
+use crate::exact::rational::parse;
+
+fn at(text: &str, values: &[(&str, &str)]) -> Multiplicity {
+    let step = Step::from_text(text).unwrap();
+    let set = values
+        .iter()
+        .fold(step, |step, (name, value)| step.with(name, &parse(value).unwrap()).unwrap());
+    multiplicity_at(&set).unwrap()
+}
+
+const STAGGERED: &str = "v[n+1/2,j+1/2] = v[n-1/2,j+1/2] - C*(p[n,j+1] - p[n,j]); \
+                         p[n+1,j] = p[n,j] - C*(v[n+1/2,j+1/2] - v[n+1/2,j-1/2])";
+
+#[test]
+fn the_drift_of_the_longest_wave_is_not_named() {
+    let wave = "u[n+1,j] = 2*u[n,j] - u[n-1,j] + C^2*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
+    assert_eq!(at(wave, &[("C", "1/2")]), Multiplicity::default());
+    // At C = 1 the shortest wave has −1 twice.
+    let edge = at(wave, &[("C", "1")]).growing.unwrap();
+    assert_eq!((edge.multiplicity, edge.eigenvectors, edge.all_waves), (2, 1, true));
+    assert_eq!(edge.phase, std::f64::consts::PI);
+    assert!((edge.multiplier + 1.0).norm() < 1e-15);
+}
+
+#[test]
+fn equal_multipliers_with_as_many_eigenvectors_do_no_harm() {
+    // Two waves that do not know of one another.
+    let twice =
+        "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]); w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1])";
+    assert_eq!(at(twice, &[("C", "1")]), Multiplicity::default());
+    // The second one driven by the first: at C = 1 each wave is in resonance.
+    let driven = "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]); \
+                  w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1]) + u[n,j]/10";
+    let found = at(driven, &[("C", "1")]);
+    assert_eq!((found.growing.unwrap().multiplicity, found.growing.unwrap().eigenvectors), (2, 1));
+    // Below only the longest wave, whose multiplier is 1.
+    assert_eq!(at(driven, &[("C", "1/2")]), Multiplicity::default());
+    // At rest both pressure and velocity keep any value; at the limit they do not.
+    assert_eq!(at(STAGGERED, &[("C", "1/2")]), Multiplicity::default());
+    assert_eq!(at(STAGGERED, &[("C", "1")]).growing.unwrap().phase, std::f64::consts::PI);
+}
+
+#[test]
+fn a_wave_that_nothing_pulls_back_drifts() {
+    // Every second particle does not see its neighbours.
+    let pairs = "u[n+1,j] = 2*u[n,j] - u[n-1,j] + C^2*(u[n,j+2] - 2*u[n,j] + u[n,j-2])";
+    let found = at(pairs, &[("C", "1/2")]);
+    assert_eq!(found.growing, None);
+    assert_eq!(found.drift.unwrap().phase, std::f64::consts::PI);
+}
+
+#[test]
+fn waves_that_meet_at_no_fraction_of_the_circle() {
+    // Leapfrog at C sin φ (4 − cos φ)/3 = 1, its largest value: fourth order, C = 1/max.
+    let text = "u[n+1,j] = u[n-1,j] - C*(-u[n,j+2] + 8*u[n,j+1] - 8*u[n,j-1] + u[n,j-2])/6";
+    // Not the limit itself, which is no fraction: nothing meets below it, and above it two waves do.
+    assert_eq!(at(text, &[("C", "0.7287")]).growing, None);
+    let above = at(text, &[("C", "0.73")]).growing.unwrap();
+    let s = (0.5 * above.phase).sin().powi(2);
+    let cosine = 1.0 - 2.0 * s;
+    let value = 0.73 * above.phase.sin() * (4.0 - cosine) / 3.0;
+    assert!((value - 1.0).abs() < 1e-12, "{value}");
+}

@@ -1,0 +1,340 @@
+//! How fast the fastest wave grows in one step, to nine digits however little that is.
+
+use super::bands::{Cell, cells};
+use super::multipliers::CompiledStep;
+use super::precise::{Place, PreciseStep};
+use super::wave_terms::{difference_terms, primitive_characteristic};
+use crate::exact::float::{ComplexFloat, Float};
+use crate::exact::laurent::{Laurent, Variable};
+use crate::exact::rational::{Rational, integer, to_f64};
+use crate::scheme::{SchemeError, Step};
+use crate::stability::at_value::{DemandAt, DemandsAt, zeros_of};
+use crate::stability::{phase_of, symmetric};
+use num_complex::Complex64;
+use num_traits::{One, Zero};
+use std::f64::consts::{LN_2, PI};
+
+/// Bits of the arithmetic at first: 77 digits.
+const BITS: u32 = 256;
+
+/// The most that is tried: growth below `2^−4000` is not told from none.
+const MOST_BITS: u32 = 1 << 13;
+
+/// Two precisions agree on the growth to this.
+const AGREEMENT: f64 = 1e-13;
+
+/// Samples between the ends of half a band, in equal steps; more where the coefficients oscillate faster.
+const SAMPLES: usize = 24;
+
+/// Samples towards an end, each nearer by this factor.
+const NEARER: f64 = 0.4;
+
+/// How near: a peak at a smaller share of the band is not looked for.
+const NEAREST: f64 = 1e-13;
+
+/// Sampled maxima that are refined, the largest first.
+const CANDIDATES: usize = 6;
+
+/// Sampled maxima below this share of the largest are not refined: samples are dense enough that none is twice as high.
+const WORTH_REFINING: f64 = 0.3;
+
+/// Bits of zeros that are no ends of bands.
+const ZERO_BITS: u32 = 96;
+
+/// Discriminants of higher degree are left out: they only say where samples are to be denser.
+const MOST_DEGREE: i16 = 40;
+
+/// Refinement stops at this share of the distance of two samples: the value is then wrong by the square of it.
+const FINE: f64 = 1e-8;
+
+/// The relative error of a value in `f64` with which a maximum is still placed well.
+const SUFFICIENT: f64 = 1e-7;
+
+/// The wave that grows fastest; where none grows, the one that is damped least.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Growth {
+    /// `|z| − 1`. Infinite where it does not fit, or where the step cannot be solved for the wave.
+    pub per_step: f64,
+    /// `log |z|`, which fits where `|z|` does not. Infinite only where the step cannot be solved.
+    pub logarithm: f64,
+    /// The wave's phase, in radians.
+    pub phase: f64,
+    /// The multiplier `z`.
+    pub multiplier: Complex64,
+}
+
+impl Growth {
+    /// How many steps double the amplitude; `None` when nothing grows.
+    pub fn steps_to_double(&self) -> Option<f64> {
+        (self.logarithm > 0.0).then(|| LN_2 / self.logarithm)
+    }
+
+    /// A wave that neither grows nor decays.
+    fn neutral(phase: f64, multiplier: Complex64) -> Self {
+        Self { per_step: 0.0, logarithm: 0.0, phase, multiplier }
+    }
+}
+
+/// The largest `|z|` over all waves of a step whose parameters all have values: relative error of `|z| − 1` below `1e-9`. Between
+/// neighbouring zeros of the stability conditions, which are isolated exactly, `|z|` is sampled and refined; no band of growing
+/// waves is missed, however narrow. Where enclosures enter, their middle is meant.
+///
+/// ```
+/// use courant_analysis::{exact::rational::parse, scheme::Step, waves::growth_at};
+/// let upwind = Step::from_text("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])")?;
+/// // 2C − 1 at φ = π.
+/// let growth = growth_at(&upwind.with("C", &parse("1.00000000000000000001").unwrap())?)?;
+/// assert!((growth.per_step / 2e-20 - 1.0).abs() < 1e-12);
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
+/// ```
+///
+/// # Errors
+/// When a parameter has no value.
+pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
+    let open = step.free_parameters();
+    if !open.is_empty() {
+        return Err(SchemeError::NotSet(open));
+    }
+    let step = step.expanded().unwrap_or_else(|| step.clone());
+    growth_under(&step, &DemandsAt::new(&step.inequalities_in(None, &Rational::zero())?))
+}
+
+/// [`growth_at`] with the conditions known.
+pub(crate) fn growth_under(step: &Step, demands: &DemandsAt) -> Result<Growth, SchemeError> {
+    let chi = primitive_characteristic(step)?;
+    let terms = difference_terms(&chi);
+    let chi = chi.coefficients(Variable::TIME);
+    if let Some(phase) = singular_wave(step, &chi) {
+        let multiplier = Complex64::new(f64::INFINITY, 0.0);
+        return Ok(Growth { per_step: f64::INFINITY, logarithm: f64::INFINITY, phase, multiplier });
+    }
+    let whole = |grows| vec![Cell { from: integer(0), to: integer(1), grows }];
+    let cells = match demands {
+        DemandsAt::All(all) => {
+            cells(all.iter().map(DemandAt::zeros), zeros_of_discriminant(step, &chi))
+        }
+        DemandsAt::Nowhere => whole(true),
+        DemandsAt::Unknown => whole(false),
+    };
+    let grows = cells.iter().any(|cell| cell.grows);
+    let stable = matches!(demands, DemandsAt::All(_)) && !grows;
+    let halves: Vec<Half> = cells
+        .iter()
+        .filter(|cell| cell.grows == grows)
+        .flat_map(|cell| {
+            let width = (&cell.to - &cell.from) / integer(2);
+            [
+                Half { end: cell.from.clone(), width: width.clone() },
+                Half { end: cell.to.clone(), width: -width },
+            ]
+        })
+        .collect();
+    let compiled = CompiledStep::new(step, &terms);
+    let mut bits = BITS;
+    loop {
+        let search = Search { compiled: &compiled, precise: PreciseStep::new(step, &terms, bits) };
+        if stable && let Some(neutral) = search.neutral() {
+            return Ok(neutral);
+        }
+        let Some((spot, largest)) = search.largest(&halves) else {
+            return Ok(Growth::neutral(0.0, Complex64::ONE));
+        };
+        let finer = PreciseStep::new(step, &terms, 2 * bits);
+        let again = finer.largest(&spot.place(&finer));
+        let error = again.map_or(f64::INFINITY, |again| {
+            let difference = &again.0 - &largest.0;
+            difference.ln() - again.0.ln()
+        });
+        if error < AGREEMENT.ln() && (!grows || !largest.0.is_negative()) || bits >= MOST_BITS {
+            return Ok(growth_of(&spot.place(&finer), &largest));
+        }
+        bits *= 2;
+    }
+}
+
+/// From `|z|² − 1` and `z − 1`.
+fn growth_of(place: &Place, (excess, y): &(Float, ComplexFloat)) -> Growth {
+    let bits = excess.bits();
+    let one = Float::integer(&1.into(), bits);
+    let modulus = (&one + excess).sqrt();
+    // |z| − 1 = (|z|² − 1)/(|z| + 1)
+    let growth = excess / &(&modulus + &one);
+    let per_step = growth.to_f64();
+    let logarithm = if per_step.abs() < 0.5 { per_step.ln_1p() } else { modulus.ln() };
+    let multiplier = (y + &ComplexFloat::real(one)).to_c64();
+    Growth { per_step, logarithm, phase: place.phase(), multiplier }
+}
+
+/// A wave for which the leading coefficient vanishes.
+fn singular_wave(step: &Step, chi: &[Laurent]) -> Option<f64> {
+    let leading = chi.last()?;
+    if leading.as_monomial().is_some_and(|(exponents, _)| exponents[4..].iter().all(|e| *e == 0)) {
+        return None;
+    }
+    let squared = step.names.reduce(leading * &leading.conjugate());
+    zeros_of(&squared, &step.names, ZERO_BITS).first().map(phase_of)
+}
+
+/// Where the discriminant of two multipliers vanishes, if it is real and not too long: beyond, a pair on the same circle becomes two real
+/// ones.
+fn zeros_of_discriminant(step: &Step, chi: &[Laurent]) -> Vec<Rational> {
+    let [c, b, a] = chi else { return Vec::new() };
+    let discriminant = step.names.reduce(b * b - (a * c).scaled(&4.into()));
+    let is_long = |p: &Laurent| p.degree(Variable::axis(0)) > MOST_DEGREE;
+    let real = symmetric(discriminant).filter(|real| !is_long(real));
+    real.map_or_else(Vec::new, |real| zeros_of(&real, &step.names, ZERO_BITS))
+}
+
+struct Search<'a> {
+    compiled: &'a CompiledStep,
+    precise: PreciseStep,
+}
+
+/// Half a band, from one end of it to the middle.
+#[derive(Debug, Clone)]
+struct Half {
+    end: Rational,
+    width: Rational,
+}
+
+/// A wave as a share of the way through half a band.
+#[derive(Debug, Clone, Copy)]
+struct Spot<'a> {
+    half: &'a Half,
+    x: f64,
+}
+
+impl Spot<'_> {
+    fn place(&self, precise: &PreciseStep) -> Place {
+        precise.place(&self.half.end, &self.half.width, self.x)
+    }
+}
+
+impl Half {
+    /// The samples, ascending: equal steps, and ever smaller ones towards the end.
+    fn samples(&self, span: usize) -> Vec<f64> {
+        let is_outermost = self.end.is_zero() || self.end.is_one();
+        let nearest = if is_outermost { NEAREST } else { NEAREST.sqrt() };
+        let resolving = 8.0 * span as f64 * to_f64(&self.width).abs().sqrt();
+        let count = SAMPLES.max(resolving as usize);
+        let equal = (1..=count).map(|i| i as f64 / count as f64);
+        let nearer = std::iter::successors(Some(NEARER / count as f64), |x| Some(x * NEARER));
+        let mut samples: Vec<f64> = nearer.take_while(|x| *x > nearest).collect();
+        samples.push(0.0);
+        samples.reverse();
+        samples.extend(equal);
+        samples
+    }
+}
+
+/// A sampled maximum with its neighbours.
+#[derive(Debug, Clone, Copy)]
+struct Peak<'a> {
+    half: &'a Half,
+    lower: f64,
+    x: f64,
+    upper: f64,
+    value: f64,
+}
+
+impl Search<'_> {
+    /// Where nothing grows: the longest or the shortest wave, if it is neutral to all digits.
+    fn neutral(&self) -> Option<Growth> {
+        for (end, phase) in [(integer(0), 0.0), (integer(1), PI)] {
+            let place = self.precise.place(&end, &Rational::zero(), 0.0);
+            let (excess, y) = self.precise.largest(&place)?;
+            let noise = -i64::from(self.precise.bits()) / 2;
+            if excess.magnitude().is_none_or(|magnitude| magnitude < noise) {
+                return Some(Growth::neutral(phase, y.to_c64() + 1.0));
+            }
+        }
+        None
+    }
+
+    /// The largest `|z|² − 1` over half bands.
+    fn largest<'h>(&self, halves: &'h [Half]) -> Option<(Spot<'h>, (Float, ComplexFloat))> {
+        let mut peaks: Vec<Peak> = halves.iter().flat_map(|half| self.peaks(half)).collect();
+        peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+        let best = peaks.first()?.value;
+        peaks.retain(|peak| peak.value >= best.min(best * WORTH_REFINING));
+        peaks.truncate(CANDIDATES);
+        let refined = peaks.iter().filter_map(|peak| {
+            let spot = Spot { half: peak.half, x: self.refined(peak) };
+            Some((spot, self.precise.largest(&spot.place(&self.precise))?))
+        });
+        // Of equal ones the longer wave.
+        refined.reduce(|a, b| {
+            let margin = a.1.0.clone().scaled(-40);
+            let size = if margin.is_negative() { -&margin } else { margin };
+            let difference = &b.1.0 - &a.1.0;
+            let equal = (&difference - &size).is_negative() && !(&difference + &size).is_negative();
+            let longer = || b.0.place(&self.precise).phase() < a.0.place(&self.precise).phase();
+            if equal && longer() || !equal && !difference.is_negative() { b } else { a }
+        })
+    }
+
+    /// The sampled maxima of half a band; the middle is one of both halves if it is one at all.
+    fn peaks<'h>(&self, half: &'h Half) -> Vec<Peak<'h>> {
+        let samples = half.samples(self.compiled.span());
+        let values: Vec<f64> = samples.iter().map(|&x| self.value(&Spot { half, x })).collect();
+        let at = |index: usize| values.get(index).copied().unwrap_or(f64::NEG_INFINITY);
+        (0..samples.len())
+            .filter(|&i| at(i) >= at(i.wrapping_sub(1)) && at(i) >= at(i + 1))
+            .map(|i| Peak {
+                half,
+                lower: samples[i.saturating_sub(1)],
+                x: samples[i],
+                upper: samples[(i + 1).min(samples.len() - 1)],
+                value: values[i],
+            })
+            .collect()
+    }
+
+    /// Where the maximum about a sampled one is, by golden sections.
+    fn refined(&self, peak: &Peak) -> f64 {
+        let golden = 0.5 * (5f64.sqrt() - 1.0);
+        let value = |x: f64| self.value(&Spot { half: peak.half, x });
+        let (mut lower, mut upper) = (peak.lower, peak.upper);
+        let (mut best, fine) = ((peak.value, peak.x), FINE * (upper - lower));
+        let mut left = upper - golden * (upper - lower);
+        let mut right = lower + golden * (upper - lower);
+        let (mut at_left, mut at_right) = (value(left), value(right));
+        while upper - lower > fine {
+            for (value, x) in [(at_left, left), (at_right, right)] {
+                if value > best.0 {
+                    best = (value, x);
+                }
+            }
+            if at_left < at_right {
+                (lower, left, at_left) = (left, right, at_right);
+                right = lower + golden * (upper - lower);
+                at_right = value(right);
+            } else {
+                (upper, right, at_right) = (right, left, at_left);
+                left = upper - golden * (upper - lower);
+                at_left = value(left);
+            }
+        }
+        best.1
+    }
+
+    /// `|z|² − 1`, in `f64` where that is known to suffice; logarithmic beyond 1, so that it does not overflow.
+    fn value(&self, spot: &Spot) -> f64 {
+        let place = spot.place(&self.precise);
+        let (excess, error) =
+            self.compiled.largest_excess(place.s.to_f64(), place.complement.to_f64());
+        if error < SUFFICIENT * excess.abs() {
+            return if excess > 1.0 { 1.0 + excess.ln() } else { excess };
+        }
+        match self.precise.largest(&place) {
+            None => f64::INFINITY,
+            Some((excess, _)) if excess.magnitude() > Some(0) && !excess.is_negative() => {
+                1.0 + excess.ln()
+            }
+            Some((excess, _)) => excess.to_f64(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
