@@ -6,7 +6,6 @@ pub mod catalogue;
 mod constants;
 mod integrator;
 mod kernel_function;
-pub mod lagrangian;
 pub mod language;
 mod lattice_method;
 mod linear;

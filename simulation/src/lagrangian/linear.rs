@@ -1,5 +1,5 @@
 //! The running scheme near a uniform state: its amplification measured, to be held against
-//! [`courant_analysis::scheme::lagrangian`].
+//! `lagrangian-sound` and `lagrangian-contact` of the catalogue.
 
 use super::{LagrangianOptions, LagrangianScheme, LagrangianState};
 use crate::riemann::{IdealGas, State};
@@ -261,7 +261,7 @@ mod tests {
     use crate::lagrangian::flux::{ContactViscosity, Flux, ModifiedRoe, RoeMean};
     use courant_analysis::exact::rational::{Rational, from_f64, ratio};
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::scheme::lagrangian::{CharacteristicWave, LinearLagrangianScheme};
+    use courant_analysis::scheme::{KernelLattice, Step, catalogue};
 
     fn flow() -> UniformFlow {
         // A uniform state with nothing equal to 1 or 0.
@@ -282,6 +282,34 @@ mod tests {
         ]
     }
 
+    fn step(name: &str, kernel: Kernel, l: &Rational, values: &[(String, Rational)]) -> Step {
+        let lattice = KernelLattice::new(kernel, l).expect("in range");
+        let scheme = catalogue::scheme(name).expect("it is in the catalogue");
+        scheme.step(Some(&lattice), None, values, Some("C")).expect("it is a scheme")
+    }
+
+    /// The characteristic variables of sound are advected by Godunov SPH to either side.
+    #[test]
+    fn sound_is_godunov_sph_both_ways() {
+        for (kernel, l) in [(Kernel::CubicSpline, ratio(2, 1)), (Kernel::Gaussian, ratio(3, 2))] {
+            let [sound, one_way] = ["lagrangian-sound", "godunov-sph"]
+                .map(|name| step(name, kernel, &l, &[]).compile().expect("one dimension"));
+            for index in 1..=24 {
+                let phase = TAU * f64::from(index) / 48.0;
+                for courant in [0.4, 1.7] {
+                    let found = sound.multipliers(&[courant], phase);
+                    let g = one_way.multipliers(&[courant], phase)[0];
+                    let apart = |a: Complex64, b: Complex64| {
+                        (found[0] - a).norm().max((found[1] - b).norm())
+                    };
+                    // A dozen terms below 2; where both meet, the root of their roundings.
+                    let gap = g.im.abs().max(1e-8);
+                    assert!(apart(g, g.conj()).min(apart(g.conj(), g)) < 1e-14 / gap + 1e-13);
+                }
+            }
+        }
+    }
+
     #[test]
     fn the_running_step_is_the_symbol_in_characteristic_variables() {
         let lattices: [(Kernel, Rational); 3] = [
@@ -297,15 +325,18 @@ mod tests {
                     ..LagrangianOptions::new(flux)
                 };
                 let exact = from_f64(viscosity).expect("finite");
-                let linear = LinearLagrangianScheme::new(kernel, l.clone(), exact).expect("valid");
-                let [sound, contact] = [CharacteristicWave::Acoustic, CharacteristicWave::Contact]
-                    .map(|wave| linear.symbol(wave).center().compile());
+                let viscosity = [("viscosity".to_string(), exact)];
+                let [sound, contact] = [
+                    step("godunov-sph", kernel, &l, &[]),
+                    step("lagrangian-contact", kernel, &l, &viscosity),
+                ]
+                .map(|step| step.compile().expect("one dimension"));
                 for courant in [0.4, 1.7] {
                     for mode in [0, 1, 5, 12] {
                         let phase = TAU * mode as f64 / 24.0;
                         let found = flow().amplification(&options, courant, mode).expect("valid");
-                        let g = sound.amplification(courant, phase);
-                        let wanted = [g.conj(), contact.amplification(courant, phase), g];
+                        let g = sound.multipliers(&[courant], phase)[0];
+                        let wanted = [g.conj(), contact.multipliers(&[courant], phase)[0], g];
                         for (row, line) in found.iter().enumerate() {
                             for (column, value) in line.iter().enumerate() {
                                 let target =

@@ -5,10 +5,10 @@ use super::{runs, table_item};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_analysis::exact::rational::{from_f64, integer, ratio};
+use courant_analysis::exact::rational::{Rational, from_f64, integer};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::lagrangian::{CharacteristicWave, LinearLagrangianScheme};
-use courant_analysis::stability::{Limit, monotonicity_limit, stability_limit};
+use courant_analysis::scheme::{COURANT, KernelLattice, Step, catalogue};
+use courant_analysis::stability::{Limit, SearchPlan};
 use courant_simulation::lagrangian::LagrangianOptions;
 use courant_simulation::lagrangian::flux::{ContactViscosity, Flux, ModifiedRoe};
 use courant_simulation::lagrangian::linear::{PlaneWave, UniformFlow};
@@ -44,6 +44,57 @@ fn fluxes() -> Vec<(String, Flux, f64)> {
     fluxes
 }
 
+/// The two parts of the linearised system.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Wave {
+    /// Sound, which travels both ways.
+    Acoustic,
+    /// What stays with the particles, with its viscosity over the sound speed.
+    Contact(f64),
+}
+
+impl Wave {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Acoustic => "acoustic",
+            Self::Contact(_) => "contact",
+        }
+    }
+
+    /// The eigenvalue that its characteristic variable belongs to.
+    fn family(self) -> usize {
+        match self {
+            Self::Acoustic => 2,
+            Self::Contact(_) => 1,
+        }
+    }
+
+    fn step(self) -> Step {
+        match self {
+            Self::Acoustic => scheme("lagrangian-sound", &[]),
+            Self::Contact(_) => self.characteristic(),
+        }
+    }
+
+    /// What its characteristic variable alone obeys.
+    fn characteristic(self) -> Step {
+        match self {
+            Self::Acoustic => scheme("godunov-sph", &[]),
+            Self::Contact(viscosity) => {
+                let exact = from_f64(viscosity).expect("a finite number");
+                scheme("lagrangian-contact", &[("viscosity".into(), exact)])
+            }
+        }
+    }
+}
+
+/// A scheme of the catalogue with the cubic spline at `l/Δξ = 2`.
+fn scheme(name: &str, values: &[(String, Rational)]) -> Step {
+    let lattice = KernelLattice::new(Kernel::CubicSpline, &integer(2)).expect("it is in range");
+    let scheme = catalogue::scheme(name).expect("it is in the catalogue");
+    scheme.step(Some(&lattice), None, values, Some(COURANT)).expect("it is a scheme")
+}
+
 fn describe(limit: &Limit) -> String {
     if limit.value().is_infinite() {
         return "none".into();
@@ -77,8 +128,8 @@ pub fn items() -> Vec<Item> {
         &columns,
     );
     for (name, flux, viscosity) in fluxes() {
-        for wave in [CharacteristicWave::Acoustic, CharacteristicWave::Contact] {
-            for row in rows(&name, flux, viscosity, wave) {
+        for wave in [Wave::Acoustic, Wave::Contact(viscosity)] {
+            for row in rows(&name, flux, wave) {
                 table.push(row);
             }
         }
@@ -86,17 +137,18 @@ pub fn items() -> Vec<Item> {
     vec![Item::Paragraph(explanation()), table_item("section_3_linear", table)]
 }
 
-fn rows(name: &str, flux: Flux, viscosity: f64, wave: CharacteristicWave) -> Vec<Vec<String>> {
-    let exact = from_f64(viscosity).expect("a finite number");
-    let linear = LinearLagrangianScheme::new(Kernel::CubicSpline, ratio(2, 1), exact)
-        .expect("a ratio of 2 is in range");
-    let symbol = linear.symbol(wave);
-    let stable = stability_limit(&symbol, &integer(RANGE));
-    let monotone = monotonicity_limit(&symbol, &integer(RANGE));
-    let compiled = symbol.center().compile();
-    let (family, own) = match wave {
-        CharacteristicWave::Acoustic => (2, 1.0),
-        CharacteristicWave::Contact => (1, viscosity),
+fn rows(name: &str, flux: Flux, wave: Wave) -> Vec<Vec<String>> {
+    let plan = SearchPlan::default().up_to(integer(RANGE));
+    let one = wave.characteristic();
+    let stable = wave.step().stable_set(COURANT, &plan).expect("one parameter is free").limit();
+    let monotone = one.monotone_set(COURANT, &plan).expect("one parameter is free");
+    let monotone = monotone.expect("one unknown, explicit").limit();
+    let compiled = one.compile().expect("one dimension");
+    let amplification = |courant: f64, phase: f64| compiled.multipliers(&[courant], phase)[0];
+    let family = wave.family();
+    let own = match wave {
+        Wave::Acoustic => 1.0,
+        Wave::Contact(viscosity) => viscosity,
     };
     let options = LagrangianOptions::new(flux);
     let worst = (0..=PARTICLES / 2)
@@ -105,11 +157,8 @@ fn rows(name: &str, flux: Flux, viscosity: f64, wave: CharacteristicWave) -> Vec
             let matrix = flow().amplification(&options, 0.9, mode).expect("a stable step");
             (0..3)
                 .map(|row| {
-                    let wanted = if row == family {
-                        compiled.amplification(0.9, phase)
-                    } else {
-                        Default::default()
-                    };
+                    let wanted =
+                        if row == family { amplification(0.9, phase) } else { Default::default() };
                     (matrix[row][family] - wanted).norm()
                 })
                 .fold(0.0, f64::max)
@@ -127,18 +176,18 @@ fn rows(name: &str, flux: Flux, viscosity: f64, wave: CharacteristicWave) -> Vec
         vec![0.9]
     };
     let check = |courant: f64| {
-        let wave = PlaneWave { family, mode, amplitude: 1e-7 };
-        let predicted = compiled.amplification(courant, phase).norm();
+        let started = PlaneWave { family, mode, amplitude: 1e-7 };
+        let predicted = amplification(courant, phase).norm();
         // Until a thousandth is left: what follows would be the round-off of 1 beside 1e-7.
         let steps = (1e-3f64.ln() / predicted.min(1.0).ln()).abs().clamp(1.0, f64::from(STEPS));
-        let measured = flow().growth_per_step(&options, wave, courant, steps as u32);
+        let measured = flow().growth_per_step(&options, started, courant, steps as u32);
         let measured = match measured {
             Ok(growth) => format!("{growth:.7}"),
             Err(reason) => reason.to_string(),
         };
         vec![
             name.into(),
-            wave_name(family),
+            wave.name().into(),
             significant(own, 3),
             describe(&stable),
             describe(&monotone),
@@ -150,11 +199,6 @@ fn rows(name: &str, flux: Flux, viscosity: f64, wave: CharacteristicWave) -> Vec
         ]
     };
     tried.into_iter().map(check).collect()
-}
-
-fn wave_name(family: usize) -> String {
-    let wave = if family == 1 { CharacteristicWave::Contact } else { CharacteristicWave::Acoustic };
-    wave.name().into()
 }
 
 fn explanation() -> String {
