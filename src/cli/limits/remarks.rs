@@ -55,8 +55,12 @@ fn joined(stretches: &[(f64, f64)]) -> Vec<(f64, f64)> {
     joined
 }
 
-/// All of them; `name` says which row an answer is, nothing where there is only one.
-pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> Remarks {
+/// All of them, with the equations that limits solve if wanted; `name` says which row an answer is, nothing where there is only one.
+pub(super) fn remarks(
+    answers: &[Answer],
+    name: impl Fn(&Answer) -> String,
+    with_equations: bool,
+) -> Remarks {
     let mut remarks = Remarks::default();
     for answer in answers {
         let row = name(answer);
@@ -65,7 +69,9 @@ pub(super) fn remarks(answers: &[Answer], name: impl Fn(&Answer) -> String) -> R
         let limit = &answer.stability;
         let decided = limit.evidence() != Evidence::Undecided;
         let mut add = |text: String| remarks.add(&row, text);
-        if let Some(text) = limit_text::exact_below(limit, &answer.sought.parameter) {
+        if let Some(text) = limit_text::exact_below(limit, &answer.sought.parameter)
+            && with_equations
+        {
             add(format!("the limit {text}"));
         }
         let monotone = answer.monotonicity.as_ref();

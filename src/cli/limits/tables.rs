@@ -18,8 +18,10 @@ const FEW_DIGITS: usize = 6;
 pub(super) fn text(arguments: &Arguments, answers: &[Answer], format: Format) -> String {
     let labels: Vec<Vec<Label>> = answers.iter().map(|answer| answer.subject.labels()).collect();
     let varying = varying(&labels);
-    let tables = two_way(arguments, answers, &labels, &varying, format)
-        .unwrap_or_else(|| vec![fitting(arguments, answers, &labels, &varying, format)]);
+    let two_way = two_way(arguments, answers, &labels, &varying, format);
+    let is_two_way = two_way.is_some();
+    let tables =
+        two_way.unwrap_or_else(|| vec![fitting(arguments, answers, &labels, &varying, format)]);
     let shown = |table: &Table| match format {
         Format::Markdown => table.to_markdown(),
         Format::Latex => table.to_latex(),
@@ -28,9 +30,35 @@ pub(super) fn text(arguments: &Arguments, answers: &[Answer], format: Format) ->
     let mut text = tables.iter().map(shown).collect::<Vec<_>>().join("\n");
     if format == Format::Table {
         let name = |answer: &Answer| row_name(&answer.subject.labels(), &varying);
-        text.push_str(&paragraphs(&remarks(answers, name).lines()));
+        let mut lines = if is_two_way { exact_forms(answers, name) } else { Vec::new() };
+        lines.extend(remarks(answers, name, !is_two_way).lines());
+        text.push_str(&paragraphs(&lines));
     }
     text
+}
+
+/// The closed forms that cells have no room for.
+fn exact_forms(answers: &[Answer], name: impl Fn(&Answer) -> String) -> Vec<String> {
+    let mut forms = Vec::new();
+    let mut equations = 0;
+    for answer in answers {
+        let limit = &answer.stability;
+        match limit.closed_form() {
+            Some(form) if form.contains(['(', '/']) && form.len() <= 24 => {
+                forms.push(format!("{} {form}", name(answer)));
+            }
+            None if limit.equation().is_some() => equations += 1,
+            _ => {}
+        }
+    }
+    let mut lines = Vec::new();
+    if !forms.is_empty() {
+        lines.push(format!("exactly: {}", forms.join("; ")));
+    }
+    if equations > 0 {
+        lines.push(format!("{equations} more are roots of known polynomials: see --format json"));
+    }
+    lines
 }
 
 /// What all rows share.
