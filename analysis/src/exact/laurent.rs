@@ -62,7 +62,7 @@ pub struct Laurent {
 impl Laurent {
     /// From terms in any order; equal exponents are added up.
     pub fn new(mut terms: Vec<(Exponents, BigInt)>) -> Self {
-        terms.sort_by(|a, b| a.0.cmp(&b.0));
+        terms.sort_by_key(|term| term.0);
         let mut merged: Vec<(Exponents, BigInt)> = Vec::with_capacity(terms.len());
         for (exponents, value) in terms {
             match merged.last_mut() {

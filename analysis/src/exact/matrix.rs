@@ -121,7 +121,7 @@ impl Matrix {
         for set in 1usize..1 << size {
             let row = set.count_ones() as usize - 1;
             let mut sum = Laurent::default();
-            let mut sign = row % 2 == 0;
+            let mut sign = row.is_multiple_of(2);
             for column in (0..size).filter(|column| set & (1 << column) != 0) {
                 let entry = &self.rows[row][column];
                 let minor = &minors[set & !(1 << column)];

@@ -378,13 +378,13 @@ fn nystrom(
     }
     rows.push(velocity.cleared(columns));
     let drifts = exact(&table.c, names)?;
-    for i in 0..stages {
+    for (i, drift) in drifts.iter().enumerate() {
         let (p, q) = (exact(&table.position[i], names)?, exact(&table.velocity[i], names)?);
         let mut row = Row(Vec::new());
         row.add(2 + i, inertia, &one());
         let (force, drag) = (-restoring.clone(), -damping.clone());
         row.add(x, &force, &one());
-        row.add(v, &force, &drifts[i]);
+        row.add(v, &force, drift);
         row.add(v, &drag, &one());
         for j in 0..stages {
             let nothing = Fraction::number(&num_rational::Ratio::zero());

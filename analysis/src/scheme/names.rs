@@ -13,7 +13,7 @@ pub enum Name {
     /// A number that the user sets, or whose limit is sought.
     Parameter(String),
     /// A value that is known.
-    Letter(Letter),
+    Letter(Box<Letter>),
 }
 
 /// A real, even function of the wave (or a constant) that stands for itself in all algebra, until signs are decided: what cancels
@@ -77,7 +77,7 @@ impl Names {
     /// The letters.
     pub fn letters(&self) -> impl Iterator<Item = (Variable, &Letter)> {
         self.0.iter().enumerate().filter_map(|(number, name)| match name {
-            Name::Letter(letter) => Some((Variable::name(number), letter)),
+            Name::Letter(letter) => Some((Variable::name(number), letter.as_ref())),
             Name::Parameter(_) => None,
         })
     }
@@ -103,7 +103,7 @@ impl Names {
             return Ok(Variable::name(number));
         }
         let name = name(self.letters().count());
-        self.push(Name::Letter(Letter { name, kind, value, of }))
+        self.push(Name::Letter(Box::new(Letter { name, kind, value, of })))
     }
 
     fn push(&mut self, name: Name) -> Result<Variable, TooManyNames> {

@@ -328,8 +328,8 @@ impl Rows {
                 if let Some(offset) = place.time {
                     entry = entry.shifted(Variable::TIME, steps(offset.halves, time));
                 }
-                for axis in 0..linear.dimension {
-                    let by = steps(place.space[axis].halves, space[axis]);
+                for (axis, origin) in space.into_iter().enumerate().take(linear.dimension) {
+                    let by = steps(place.space[axis].halves, origin);
                     entry = entry.shifted(Variable::axis(axis), by);
                 }
                 let target = if place.derivative { &mut mass } else { &mut matrix }

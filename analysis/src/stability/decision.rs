@@ -380,11 +380,12 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
         result.work += found.work;
         let inside = |value: f64| value < interval.to.upper();
         result.undecided.extend(found.undecided.iter().filter(|(from, _)| inside(*from)));
-        if interval.from.upper() == 0.0 && result.immediately_unstable_phase.is_none() {
-            if let Some(phase) = found.immediately_unstable_phase {
-                result.immediately_unstable_phase = Some(phase);
-                result.immediate_binding = Some(binding);
-            }
+        if let Some(phase) = found.immediately_unstable_phase
+            && interval.from.upper() == 0.0
+            && result.immediately_unstable_phase.is_none()
+        {
+            result.immediately_unstable_phase = Some(phase);
+            result.immediate_binding = Some(binding);
         }
         for other in found.intervals {
             let from = if other.from.upper() > interval.from.upper() {

@@ -19,6 +19,9 @@ pub struct Fraction {
     pub under: Poly<Rational>,
 }
 
+/// An equation: places with polynomials of whole coefficients.
+pub type PlacedRow = Vec<(Place, Poly<BigInt>)>;
+
 impl Fraction {
     pub fn whole(over: Poly<Rational>) -> Self {
         Self { over, under: Poly::one() }
@@ -337,7 +340,7 @@ impl Reader<'_> {
     }
 
     /// Rows of places and polynomials with whole coefficients.
-    pub fn rows(&mut self, text: &str) -> Read<Vec<Vec<(Place, Poly<BigInt>)>>> {
+    pub fn rows(&mut self, text: &str) -> Read<Vec<PlacedRow>> {
         let mut rows = Vec::new();
         for tree in equations(text)? {
             let value = self.evaluate(&tree, None)?;
