@@ -42,7 +42,7 @@ impl From<DensityName> for Density {
 }
 
 /// Which relation of Godunov particle hydrodynamics.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Form {
     /// What the scheme does: left and right by position.
     Resolved,

@@ -16,7 +16,7 @@ use crate::exact::rational::{Rational, from_f64, integer, simplest_between, to_f
 use crate::scheme::{SchemeError, Step};
 use crate::stability::conditions::Condition;
 use crate::stability::critical::{resolving_phases, sampled_unstable_set};
-use crate::waves::multipliers::CompiledStep;
+use crate::waves::growth_at;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
@@ -48,6 +48,9 @@ pub enum Demands {
 
 /// With fewer boxes than this nothing is decided about a single value either: see [`check`](super::verdict::check).
 pub(crate) const LEAST_BUDGET: usize = 100;
+
+/// One over a value of a parameter that stands for all small ones.
+const SMALL: i64 = 1 << 10;
 
 /// Values looked at when nobody says how far.
 pub const DEFAULT_RANGE: i64 = 100;
@@ -131,9 +134,16 @@ impl Step {
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
         if set.immediately_unstable_phase.is_some()
             && !one
-            && let Some(phase) = fastest_growing(&self.compile()?)
+            && let [parameter] = &self.free_parameters()[..]
         {
-            set.immediately_unstable_phase = Some(phase);
+            let small = Rational::new(BigInt::one(), BigInt::from(SMALL));
+            let growth = growth_at(&self.with(parameter, &small)?)?;
+            if growth.per_step > 0.0 {
+                // |z| is even about π: a maximum so near to it is there.
+                let at_end = std::f64::consts::PI - growth.phase < 1e-6;
+                let phase = if at_end { std::f64::consts::PI } else { growth.phase };
+                set.immediately_unstable_phase = Some(phase);
+            }
         }
         Ok(set)
     }
@@ -279,35 +289,6 @@ fn everything(plan: &SearchPlan, evidence: Evidence) -> StableSet {
 
 /// Failures are told apart that differ by more than about this part of a factor of two.
 const SAME_FAILURE: f64 = (1 << 24) as f64;
-
-/// A value of a parameter that stands for all small ones.
-const SMALL: f64 = 1.0 / 256.0;
-
-/// The wave that grows fastest at a small value of the only parameter, in radians; `None` when floating point sees none grow.
-fn fastest_growing(step: &CompiledStep) -> Option<f64> {
-    let growth = |phase: f64| {
-        let found = step.differences(&[SMALL], phase);
-        found.iter().map(|y| 2.0 * y.re + y.norm_sqr()).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let phases: Vec<f64> = resolving_phases(step.span()).collect();
-    let seen = phases.iter().map(|&phase| growth(phase)).enumerate();
-    let (index, most) = seen.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (mut lower, mut upper) =
-        (phases[index.saturating_sub(1)], phases[(index + 1).min(phases.len() - 1)]);
-    let mut best = (phases[index], most);
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    while upper - lower > 1e-9 {
-        let (left, right) = (upper - golden * (upper - lower), lower + golden * (upper - lower));
-        let (at_left, at_right) = (growth(left), growth(right));
-        for (phase, value) in [(left, at_left), (right, at_right)] {
-            if value > best.1 {
-                best = (phase, value);
-            }
-        }
-        if at_left < at_right { lower = left } else { upper = right }
-    }
-    (best.1 > 0.0).then_some(best.0)
-}
 
 /// Where all conditions hold.
 fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> StableSet {

@@ -35,6 +35,7 @@ pub const INTEGRATORS: [&str; 10] = [
 /// What a subject is to the running particles, `c Δt/h` and their number.
 fn case(
     subject: &Subject,
+    form: Option<Form>,
     courant: f64,
     particles: usize,
 ) -> Result<(Relation, ParticleCase), Failure> {
@@ -57,7 +58,7 @@ fn case(
     let integrator = waves::integrator(integrator)
         .map_err(|problem| refused(format!("--integrator {integrator}: {problem}")))?;
     let (kernel, ratio) = subject.kernel.as_ref().expect("particle methods have kernels");
-    let relation = name.method(None, alpha)?;
+    let relation = name.method(form, alpha)?;
     let method = relation.lattice(*kernel, ratio, Density::default())?;
     Ok((relation, ParticleCase { method, integrator, courant, particles }))
 }
@@ -136,7 +137,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
             values.push(0.25);
         }
         for courant in values {
-            cases.push(case(subject, courant, particles)?);
+            cases.push(case(subject, arguments.form, courant, particles)?);
         }
     }
     let compared: Vec<Compared> = cases
