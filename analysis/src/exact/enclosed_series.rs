@@ -1,7 +1,7 @@
 //! Cosine series known exactly, or within a stated distance of the true function.
 
 use crate::exact::cosine_series::CosineSeries;
-use crate::exact::rational::{Rational, common_denominator, numerator_over, to_f64};
+use crate::exact::rational::{Rational, common_denominator, integer, numerator_over, to_f64};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -24,6 +24,21 @@ impl EnclosedSeries {
         let numerators =
             coefficients.iter().map(|value| numerator_over(value, &denominator)).collect();
         Self { numerators, denominator, radius }
+    }
+
+    /// From integers over a positive denominator.
+    pub fn over(numerators: Vec<BigInt>, denominator: BigInt, radius: Rational) -> Self {
+        Self { numerators, denominator, radius }
+    }
+
+    /// The coefficients in the middle of the enclosure, times the [denominator](Self::denominator).
+    pub fn numerators(&self) -> &[BigInt] {
+        &self.numerators
+    }
+
+    /// What the coefficients are over.
+    pub fn denominator(&self) -> &BigInt {
+        &self.denominator
     }
 
     /// A constant, exact.
@@ -109,6 +124,24 @@ impl EnclosedSeries {
         Self { numerators, denominator, radius }
     }
 
+    /// The product with itself.
+    pub fn squared(&self) -> Self {
+        let mut numerators = vec![BigInt::zero(); (2 * self.numerators.len()).saturating_sub(1)];
+        for (a, left) in self.numerators.iter().enumerate() {
+            let square = left * left;
+            numerators[0] += &square;
+            numerators[2 * a] += square;
+            for (b, right) in self.numerators.iter().enumerate().take(a) {
+                let product = (left * right) << 1;
+                numerators[a - b] += &product;
+                numerators[a + b] += product;
+            }
+        }
+        let radius = (self.norm() * integer(2) + &self.radius) * &self.radius;
+        let denominator = BigInt::from(2) * &self.denominator * &self.denominator;
+        Self { numerators, denominator, radius }
+    }
+
     /// The same function with coefficients cut to multiples of `2^−bits`, and the radius widened by what
     /// was cut off; an exact series is kept as it is.
     pub fn shortened(self, bits: u32) -> Self {
@@ -158,6 +191,8 @@ mod tests {
             let (x, y) = (at(&left), at(&right));
             prop_assert!((at(&left.plus(&right)) - (x + y)).abs() < 1e-11);
             prop_assert!((at(&left.times(&right)) - x * y).abs() < 1e-9);
+            let moved = enclosed(&a, ratio(2, 9));
+            prop_assert_eq!(moved.squared(), moved.times(&moved));
             let s = (phase / 2.0).sin().powi(2);
             prop_assert!((at(&EnclosedSeries::half_versine()) - s).abs() < 1e-14);
         }

@@ -297,7 +297,7 @@ impl<'a> Reader<'a> {
         }
         if let ("rho", Some(lattice)) = (name, self.lattice) {
             let density = lattice.density();
-            return self.enclosed(density.center.clone(), density.radius.clone(), "rho", span);
+            return self.enclosed(density.center, density.radius, "rho", span);
         }
         let variable = self
             .names

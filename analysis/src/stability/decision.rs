@@ -296,11 +296,14 @@ fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> StableSet {
     let evidence = if exact { Evidence::Proved } else { Evidence::Enclosed };
     let mut set = everything(plan, evidence);
     // The condition that floating point sees fail first goes first: the others need not look beyond.
-    let mut ordered: Vec<(f64, &Inequality)> = inequalities
-        .iter()
-        .filter(|one| !one.margin.is_neutral())
-        .map(|one| ((first_failure(&one.margin, &plan.max).log2() * SAME_FAILURE).round(), one))
-        .collect();
+    let mut ordered: Vec<(f64, &Inequality)> =
+        inequalities.iter().filter(|one| !one.margin.is_neutral()).map(|one| (0.0, one)).collect();
+    if ordered.len() > 1 {
+        for (first, inequality) in &mut ordered {
+            let failure = first_failure(&inequality.margin, &plan.max);
+            *first = (failure.log2() * SAME_FAILURE).round();
+        }
+    }
     // Where several fail at once, multipliers at +1 and −1 say more than a circle that is left.
     ordered.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.condition.cmp(&b.1.condition)));
     if ordered.is_empty() {

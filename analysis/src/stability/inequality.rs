@@ -152,7 +152,10 @@ fn power_of_letter(
         if short { value } else { value.shortened(KEPT_BITS) }
     } else {
         let lower = power_of_letter(known, names, place, power - 1, short);
-        let product = lower.times(&power_of_letter(known, names, place, 1, short));
+        let product = match power {
+            2 => lower.squared(),
+            _ => lower.times(&power_of_letter(known, names, place, 1, short)),
+        };
         if short { product } else { product.shortened(KEPT_BITS) }
     };
     known.insert((place, power), value.clone());

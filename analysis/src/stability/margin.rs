@@ -8,6 +8,7 @@ use crate::exact::polynomial::{Polynomial, Ring};
 use crate::exact::rational::{Rational, common_denominator, integer, numerator_over};
 use crate::scheme::symbol::EnclosedSymbol;
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::{One, Zero};
 use squared_gain::{squared_gain, squared_gain_radius};
 
@@ -83,10 +84,24 @@ impl Margin {
     /// A polynomial `Σ_j t^j p_j(φ)` given as such, whose sign is to be decided: the factors that vanish
     /// trivially are taken out as from `(1 + ε)² − |g|²`. Here `C` is `t` or, with stride 2, its root.
     pub(crate) fn of_polynomial(powers: &[EnclosedSeries]) -> Self {
-        let centers: Vec<_> = powers.iter().map(EnclosedSeries::center).collect();
-        let denominator = common_denominator(centers.iter().flat_map(CosineSeries::coefficients));
-        let series =
-            centers.iter().map(|center| center.map(|v| numerator_over(v, &denominator))).collect();
+        let common = powers.iter().fold(BigInt::one(), |all, power| all.lcm(power.denominator()));
+        let over = |power: &EnclosedSeries| -> Vec<BigInt> {
+            let factor = &common / power.denominator();
+            power.numerators().iter().map(|value| value * &factor).collect()
+        };
+        let mut numerators: Vec<Vec<BigInt>> = powers.iter().map(over).collect();
+        let values = numerators.iter().flatten().filter(|value| !value.is_zero());
+        let content = values.fold(
+            common.clone(),
+            |all, value| {
+                if all.is_one() { all } else { all.gcd(value) }
+            },
+        );
+        if !content.is_one() {
+            numerators.iter_mut().flatten().for_each(|value| *value /= &content);
+        }
+        let denominator = common / content;
+        let series = numerators.into_iter().map(CosineSeries::new).collect();
         let radius = powers.iter().map(EnclosedSeries::radius);
         let mut margin = Self::whole(series, radius, denominator, Rational::zero());
         margin.take_out_courant_number();

@@ -67,8 +67,13 @@ impl Step {
         }
         let Some(one_step) = self.one_step(parameter) else { return Ok(None) };
         let evidence = if one_step.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
+        let open: Vec<_> = one_step
+            .coefficients
+            .iter()
+            .filter(|(_, center, radius)| !is_plainly_non_negative(center, radius))
+            .collect();
         let bound = |sign: i64| {
-            let bounds = one_step.coefficients.iter().map(|(offset, center, radius)| {
+            let bounds = open.iter().map(|(offset, center, radius)| {
                 Coefficient::new(*offset, center.clone() + radius.scale(&integer(sign)))
             });
             // Coefficients that are negative at once come first: most often they end the search.
@@ -105,6 +110,17 @@ impl Step {
         }
         Ok(Some(set))
     }
+}
+
+/// Whether no coefficient of the polynomial can be negative.
+fn is_plainly_non_negative(center: &Polynomial<Rational>, radius: &Polynomial<Rational>) -> bool {
+    let zero = Rational::zero();
+    let radii = radius.coefficients().iter().chain(std::iter::repeat(&zero));
+    radius.degree() <= center.degree()
+        && center.coefficients().iter().zip(radii).all(|(value, radius)| {
+            // Compared by products: fractions would be divided.
+            value.numer() * radius.denom() >= radius.numer() * value.denom()
+        })
 }
 
 /// Adds what is known of one interval of possibly monotone parameters from the certainly monotone ones inside it.

@@ -6,15 +6,20 @@
 
 use crate::exact::laurent::{Laurent, VARIABLES, Variable};
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::Rational;
+use crate::exact::rational::{Rational, numerator_over};
 use crate::scheme::kernel_function::KernelFunction;
 use crate::scheme::names::{Letter, LetterKind};
 use crate::scheme::step::{Step, laurent_of};
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
-/// By offset, coefficients with their radii.
-type Shifts = BTreeMap<i64, (Rational, Rational)>;
+/// By offset, coefficients and their radii over one denominator.
+struct Shifts {
+    terms: BTreeMap<i64, (BigInt, BigInt)>,
+    denominator: BigInt,
+}
 
 /// Offsets, centers and radii in powers of a parameter.
 type Coefficients = Vec<(i64, Polynomial<Rational>, Polynomial<Rational>)>;
@@ -36,7 +41,7 @@ pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coeffici
 
     let mut values: BTreeMap<usize, Shifts> = BTreeMap::new();
     for (variable, letter) in step.names.letters() {
-        values.insert(variable.0, [(0, number(letter))].into_iter().collect());
+        values.insert(variable.0, number(&letter.value.center().at_zero(), letter.value.radius()));
     }
     // In one dimension the places of the other axes are free, and so are those without a name.
     let mut free = (4 + step.names.all().len()..VARIABLES).chain([2, 3, 0]).map(Variable);
@@ -65,36 +70,56 @@ pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coeffici
         let (sum, radius) = function.sum();
         values.insert(right.0, shifts(function, 1));
         values.insert(left.0, shifts(function, -1));
-        values.insert(all.0, [(0, (sum, radius))].into_iter().collect());
+        values.insert(all.0, number(&sum, &radius));
     }
 
-    let mut products: BTreeMap<Vec<(usize, i16)>, Shifts> = BTreeMap::new();
-    let mut sums: BTreeMap<i64, Vec<(Rational, Rational)>> = BTreeMap::new();
-    for (exponents, value) in gain.terms() {
-        let known = [parameter.0, space.0];
+    let known = [parameter.0, space.0];
+    let letters_of = |exponents: &[i16; VARIABLES]| -> Vec<(usize, i16)> {
         let letters = (0..VARIABLES).filter(|v| !known.contains(v) && exponents[*v] != 0);
-        let letters: Vec<(usize, i16)> = letters.map(|v| (v, exponents[v])).collect();
+        letters.map(|v| (v, exponents[v])).collect()
+    };
+    let mut products: BTreeMap<Vec<(usize, i16)>, Shifts> = BTreeMap::new();
+    for (exponents, _) in gain.terms() {
+        let letters = letters_of(exponents);
+        products.entry(letters).or_insert_with_key(|letters| product(letters, &values));
+    }
+    let common = products.values().fold(BigInt::one(), |all, p| all.lcm(&p.denominator));
+    let mut sums: BTreeMap<i64, Vec<(BigInt, BigInt)>> = BTreeMap::new();
+    for (exponents, value) in gain.terms() {
         let power = usize::try_from(exponents[parameter.0]).ok()?;
-        let (origin, value) =
-            (i64::from(exponents[space.0]), Rational::new(value.clone(), scale.clone()));
-        let product =
-            products.entry(letters).or_insert_with_key(|letters| product(letters, &values));
-        for (offset, (center, radius)) in product.iter() {
+        let origin = i64::from(exponents[space.0]);
+        let product = &products[&letters_of(exponents)];
+        let factor = value * (&common / &product.denominator);
+        for (offset, (center, radius)) in &product.terms {
             let powers = sums.entry(origin + offset).or_default();
             if powers.len() <= power {
-                powers.resize(power + 1, (Rational::zero(), Rational::zero()));
+                powers.resize(power + 1, (BigInt::zero(), BigInt::zero()));
             }
-            powers[power].0 += center * &value;
-            powers[power].1 += radius * value.abs();
+            powers[power].0 += center * &factor;
+            powers[power].1 += radius * factor.abs();
         }
     }
+    let total = common * scale;
     let coefficients = sums.into_iter().map(|(offset, powers)| {
-        let (centers, radii) = powers.into_iter().unzip();
+        let over = |(center, radius)| (quotient(center, &total), quotient(radius, &total.abs()));
+        let (centers, radii) = powers.into_iter().map(over).unzip();
         (offset, Polynomial::new(centers), Polynomial::new(radii))
     });
     let coefficients =
         coefficients.filter(|(_, center, radius)| !center.is_zero() || !radius.is_zero());
     Some((coefficients.collect(), keeps_constants))
+}
+
+/// A fraction in lowest terms: powers of two, often all that there is, come out without a general gcd.
+fn quotient(numerator: BigInt, denominator: &BigInt) -> Rational {
+    let Some(twos) = numerator.trailing_zeros() else { return Rational::zero() };
+    let twos = twos.min(denominator.trailing_zeros().unwrap_or(0));
+    let (numerator, denominator) = (numerator >> twos, denominator >> twos);
+    let odd = denominator.trailing_zeros().map(|zeros| &denominator >> zeros);
+    match odd {
+        Some(odd) if odd.is_one() => Rational::new_raw(numerator, denominator),
+        _ => Rational::new(numerator, denominator),
+    }
 }
 
 /// At `E = 1`.
@@ -145,30 +170,35 @@ fn in_shifts(
 
 /// `Σ_k f(k) E^{±k}`.
 fn shifts(function: &KernelFunction, sign: i64) -> Shifts {
-    let values = (1..).zip(&function.values);
-    values.map(|(k, value)| (sign * k, (value.clone(), function.radius.clone()))).collect()
+    let denominator = function.denominator.lcm(function.radius.denom());
+    let factor = &denominator / &function.denominator;
+    let radius = numerator_over(&function.radius, &denominator);
+    let terms = (1..).zip(&function.numerators);
+    let terms = terms.map(|(k, value)| (sign * k, (value * &factor, radius.clone()))).collect();
+    Shifts { terms, denominator }
 }
 
-fn number(letter: &Letter) -> (Rational, Rational) {
-    (letter.value.center().at_zero(), letter.value.radius().clone())
+fn number(value: &Rational, radius: &Rational) -> Shifts {
+    let denominator = value.denom().lcm(radius.denom());
+    let pair = (numerator_over(value, &denominator), numerator_over(radius, &denominator));
+    Shifts { terms: [(0, pair)].into_iter().collect(), denominator }
 }
 
 fn product(letters: &[(usize, i16)], values: &BTreeMap<usize, Shifts>) -> Shifts {
-    let one: Shifts = [(0, (Rational::one(), Rational::zero()))].into_iter().collect();
-    letters.iter().fold(one, |product, (place, power)| {
+    letters.iter().fold(number(&Rational::one(), &Rational::zero()), |product, (place, power)| {
         (0..*power).fold(product, |product, _| times(&product, &values[place]))
     })
 }
 
 fn times(left: &Shifts, right: &Shifts) -> Shifts {
-    let mut product = Shifts::new();
-    for (i, (a, a_radius)) in left {
-        for (j, (b, b_radius)) in right {
-            let sum = product.entry(i + j).or_insert_with(|| (Rational::zero(), Rational::zero()));
+    let mut terms: BTreeMap<i64, (BigInt, BigInt)> = BTreeMap::new();
+    for (i, (a, a_radius)) in &left.terms {
+        for (j, (b, b_radius)) in &right.terms {
+            let sum = terms.entry(i + j).or_default();
             sum.0 += a * b;
             // |ab − a₀b₀| ≤ |a₀| r_b + |b₀| r_a + r_a r_b.
             sum.1 += a.abs() * b_radius + b.abs() * a_radius + a_radius * b_radius;
         }
     }
-    product
+    Shifts { terms, denominator: &left.denominator * &right.denominator }
 }
