@@ -223,16 +223,27 @@ impl<'a> Search<'a> {
         is_negative_integer_polynomial(&values, from, &(from + step)) == Some(true)
     }
 
-    /// The wave that grows fastest as `C → 0`.
+    /// The wave that grows fastest as `C → 0`: the best sample, then its surroundings cut by the golden section.
     fn fastest_growing_phase(&self) -> f64 {
         let mut powers = Vec::new();
-        resolving_phases(self.margin.degree())
-            .map(|phase| {
-                self.compiled.powers_at(phase, &mut powers);
-                (phase, powers[0] * self.compiled.phase_factor(phase))
-            })
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-            .map_or(0.0, |(phase, _)| phase)
+        let mut at = |phase: f64| {
+            self.compiled.powers_at(phase, &mut powers);
+            powers[0] * self.compiled.phase_factor(phase)
+        };
+        let phases: Vec<f64> = resolving_phases(self.margin.degree()).collect();
+        let values: Vec<f64> = phases.iter().map(|&phase| at(phase)).collect();
+        let best = (0..phases.len()).min_by(|&a, &b| values[a].total_cmp(&values[b]));
+        let Some(best) = best else { return 0.0 };
+        let (mut lower, mut upper) =
+            (phases[best.saturating_sub(1)], phases[(best + 1).min(phases.len() - 1)]);
+        let golden = 0.5 * (5f64.sqrt() - 1.0);
+        while upper - lower > 1e-9 * upper {
+            let left = upper - golden * (upper - lower);
+            let right = lower + golden * (upper - lower);
+            if at(left) < at(right) { upper = right } else { lower = left }
+        }
+        let refined = lower.midpoint(upper);
+        if at(refined) < values[best] { refined } else { phases[best] }
     }
 }
 
