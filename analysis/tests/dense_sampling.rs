@@ -6,8 +6,8 @@
 
 use courant_analysis::exact::rational::{Rational, from_f64, integer, ratio, to_f64};
 use courant_analysis::exact::stencil::Stencil;
-use courant_analysis::scheme::symbol::{EnclosedSymbol, Symbol};
-use courant_analysis::stability::stable_set;
+use courant_analysis::scheme::Step;
+use courant_analysis::stability::SearchPlan;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
@@ -109,14 +109,18 @@ proptest! {
         at in prop::collection::vec(1i64..3000, 12)
     ) {
         let difference = Stencil::new(-1, vec![integer(-1), integer(1)]);
-        let symbol = powers.into_iter().enumerate().fold(Symbol::identity(), |sum, (power, values)| {
+        let stencils: Vec<Stencil<Rational>> = powers.into_iter().map(|values| {
             let stencil = Stencil::new(-2, values.into_iter().map(|v| ratio(v, scale)).collect());
-            let stencil = if keeps_constants { stencil * difference.clone() } else { stencil };
-            sum - Symbol::courant_power(power + 1, stencil)
-        });
-        let symbol = EnclosedSymbol::exact(symbol);
+            if keeps_constants { stencil * difference.clone() } else { stencil }
+        }).collect();
+        let terms = (1..).zip(&stencils).flat_map(|(power, stencil)| stencil.terms().map(move |(k, value)| {
+            format!(" - ({value})*C^{power}*u[n,j{k:+}]")
+        }));
+        let text = format!("u[n+1,j] = u[n,j]{}", terms.collect::<String>());
         let end = integer(3);
-        let set = stable_set(&symbol, &integer(0), &end);
+        let step = Step::from_text(&text).unwrap();
+        prop_assume!(!step.free_parameters().is_empty());
+        let set = step.stable_set("C", &SearchPlan::default().up_to(end.clone())).unwrap();
         // Random points, and a little to either side of every end that was proved.
         let mut points: Vec<Rational> = at.into_iter().map(|n| ratio(n, 1000)).collect();
         for interval in &set.intervals {
@@ -129,7 +133,9 @@ proptest! {
             if set.undecided.iter().any(|(from, to)| *from <= float && float <= *to) {
                 continue;
             }
-            let stencil = symbol.center().at_courant_number(&point);
+            let stencil = (1..).zip(&stencils).fold(Stencil::shift(0), |sum, (power, stencil)| {
+                sum - stencil.clone() * Stencil::term(0, point.pow(power))
+            });
             let excess = largest_excess(&stencil);
             let unseen = hidden(&stencil);
             let unseen = (unseen.numer() << BITS) / unseen.denom();

@@ -2,6 +2,7 @@
 
 use crate::exact::laurent::Laurent;
 use crate::exact::rational::{Rational, parse as parse_number};
+use crate::kernel::Kernel;
 use crate::scheme::integrator::{Integrator, one_line};
 use crate::scheme::kernel_function::KernelLattice;
 use crate::scheme::language::syntax::{Equations, Expression, Node};
@@ -223,6 +224,23 @@ impl SchemeFile {
         let given =
             move |name: &str| values.iter().any(|(known, _)| known == name) || sought == Some(name);
         self.parameters.iter().filter(move |(name, _)| !given(name))
+    }
+
+    /// The step with a kernel at a smoothing ratio, the defaults of its parameters, and the parameter sought left free.
+    ///
+    /// ```
+    /// use courant_analysis::{exact::rational::ratio, kernel::Kernel, scheme::catalogue};
+    /// let godunov = catalogue::scheme("godunov-sph").unwrap();
+    /// let step = godunov.with_kernel(Kernel::CubicSpline, &ratio(2, 1))?;
+    /// assert_eq!(step.limit("C")?.exact().unwrap().to_string(), "15/8");
+    /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When the ratio is out of range, or the equations need an integrator.
+    pub fn with_kernel(&self, kernel: Kernel, ratio: &Rational) -> Result<Step, SchemeError> {
+        let lattice = KernelLattice::new(kernel, ratio)?;
+        self.step(Some(&lattice), None, &[], self.parameter.as_deref())
     }
 }
 

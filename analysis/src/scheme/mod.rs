@@ -14,6 +14,8 @@ mod names;
 mod one_step;
 mod step;
 pub mod symbol;
+#[cfg(test)]
+pub(crate) mod testing;
 
 pub use integrator::{Coefficient, Integrator, IntegratorFileError, IntegratorForm, Nystrom};
 pub use kernel_function::KernelLattice;

@@ -5,6 +5,7 @@ mod print;
 
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, to_f64};
+use crate::exact::stencil::Stencil;
 use crate::scheme::Step;
 use num_complex::Complex64;
 use num_traits::{One, Zero};
@@ -67,6 +68,17 @@ impl OneStep {
     /// `Σ_k c_k`, the factor by which one step multiplies the mean.
     pub fn mean_gain(&self) -> Polynomial<Rational> {
         if self.keeps_constants { Polynomial::one() } else { self.moment(0) }
+    }
+
+    /// `Σ_k c_k E^k` at one value of the parameter, without radii.
+    pub fn stencil_at(&self, value: &Rational) -> Stencil<Rational> {
+        let lowest = self.coefficients.first().map_or(0, |(offset, _, _)| *offset);
+        let highest = self.coefficients.last().map_or(-1, |(offset, _, _)| *offset);
+        let mut values = vec![Rational::zero(); (highest - lowest + 1) as usize];
+        for (offset, center, _) in &self.coefficients {
+            values[(offset - lowest) as usize] = center.evaluate(value);
+        }
+        Stencil::new(lowest, values)
     }
 
     /// The amplification factor `g(φ) = Σ_k c_k e^{ikφ}`; the phase in radians.

@@ -4,6 +4,7 @@ use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::laurent::{Laurent, VARIABLES, Variable};
 use crate::exact::matrix::{MOST_ROWS, Matrix};
 use crate::exact::rational::{Rational, common_denominator, numerator_over};
+use crate::kernel::lattice::RatioOutOfRange;
 use crate::scheme::kernel_function::KernelLattice;
 use crate::scheme::language::syntax::Equations;
 use crate::scheme::language::{LanguageError, parse};
@@ -73,6 +74,9 @@ pub enum SchemeError {
     /// An integrator that does not serve these equations.
     #[error("{0}")]
     Integrator(String),
+    /// A smoothing ratio out of range.
+    #[error(transparent)]
+    Ratio(#[from] RatioOutOfRange),
     /// More than one space dimension.
     #[error("{0} space dimensions: limits are decided in one")]
     Dimension(usize),

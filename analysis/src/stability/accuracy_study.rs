@@ -1,10 +1,9 @@
 //! What an answer costs and how wrong it is: sampled limits and proofs side by side.
 
-use super::{
-    phase_grid, refined_stability_limit, sampled_stability_limit, stable_set, stable_set_to,
-};
+use super::margin::Margin;
+use super::{Limit, SearchPlan, phase_grid, refined_stability_limit, sampled_stability_limit};
 use crate::exact::rational::{Rational, integer};
-use crate::scheme::symbol::EnclosedSymbol;
+use crate::scheme::{SchemeError, Step};
 use std::f64::consts::PI;
 use std::time::Instant;
 
@@ -45,18 +44,18 @@ impl LimitMethod {
         }
     }
 
-    fn run(self, symbol: &EnclosedSymbol, max_courant: &Rational) -> f64 {
+    fn run(self, step: &Step, parameter: &str, max: &Rational) -> Result<f64, SchemeError> {
+        let sampled = |count: usize, limit: fn(&Margin, &[f64], &Rational) -> Limit| {
+            let margin = step.gain_margin(parameter, &integer(0))?;
+            let phases = phase_grid(PI / count as f64);
+            Ok(margin.map_or(f64::NAN, |margin| limit(&margin, &phases, max).value()))
+        };
         match self {
-            Self::Sampled(count) => {
-                let phases = phase_grid(PI / count as f64);
-                sampled_stability_limit(symbol, &phases, max_courant).value()
-            }
-            Self::Refined(count) => {
-                let phases = phase_grid(PI / count as f64);
-                refined_stability_limit(symbol, &phases, max_courant).value()
-            }
+            Self::Sampled(count) => sampled(count, sampled_stability_limit),
+            Self::Refined(count) => sampled(count, refined_stability_limit),
             Self::Proved(bits) => {
-                stable_set_to(symbol, &integer(0), max_courant, bits).limit().value()
+                let plan = SearchPlan::default().up_to(max.clone()).to_bits(bits);
+                Ok(step.stable_set(parameter, &plan)?.limit().value())
             }
         }
     }
@@ -76,27 +75,31 @@ pub struct AccuracyRow {
     pub seconds: f64,
 }
 
-/// Every method on one scheme with a positive limit within `[0, max_courant]`; `repetitions` of each are
-/// timed, and no rows come back when there is no such limit.
+/// Every method on one explicit scheme with a positive limit within `[0, max]`; `repetitions` of each are timed, and no rows come
+/// back when there is no such limit.
+///
+/// # Errors
+/// When the parameter does not occur or another has no value.
 pub fn accuracy_study(
-    symbol: &EnclosedSymbol,
-    max_courant: &Rational,
+    step: &Step,
+    parameter: &str,
+    max: &Rational,
     repetitions: usize,
-) -> Vec<AccuracyRow> {
-    let truth = stable_set(symbol, &integer(0), max_courant).limit();
+) -> Result<Vec<AccuracyRow>, SchemeError> {
+    let truth = step.stable_set(parameter, &SearchPlan::default().up_to(max.clone()))?.limit();
     if !truth.is_positive() || truth.upper().is_infinite() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let rows = LimitMethod::all().into_iter().map(|method| {
         let mut seconds = f64::INFINITY;
         let mut limit = f64::NAN;
         for _ in 0..repetitions.max(1) {
             let start = Instant::now();
-            limit = method.run(symbol, max_courant);
+            limit = method.run(step, parameter, max)?;
             seconds = seconds.min(start.elapsed().as_secs_f64());
         }
         let relative_error = (limit - truth.value()).abs() / truth.value();
-        AccuracyRow { method, limit, relative_error, seconds }
+        Ok(AccuracyRow { method, limit, relative_error, seconds })
     });
     rows.collect()
 }
@@ -105,15 +108,15 @@ pub fn accuracy_study(
 mod tests {
     use super::*;
     use crate::kernel::Kernel;
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use crate::scheme::testing::sph;
 
     #[test]
     fn samples_err_upwards_and_proofs_within_their_bits() {
-        for of in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
-            let scheme = Discretisation::new(of, Kernel::CubicSpline, integer(3)).unwrap();
-            let rows = accuracy_study(&scheme.symbol(), &integer(30), 1);
+        for scheme in ["godunov-sph", "lax-wendroff-sph"] {
+            let step = sph(scheme, Kernel::CubicSpline, &integer(3));
+            let rows = accuracy_study(&step, "C", &integer(30), 1).unwrap();
             assert_eq!(rows.len(), LimitMethod::all().len());
-            let truth = stable_set(&scheme.symbol(), &integer(0), &integer(30)).limit().value();
+            let truth = step.limit("C").unwrap().value();
             let mut sampled = Vec::new();
             for row in rows {
                 match row.method {

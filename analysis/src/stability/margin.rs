@@ -28,14 +28,14 @@ pub use compiled::{CompiledMargin, growth_from_excess};
 /// The `p_j` are cosine series with integer coefficients over one common denominator.
 ///
 /// ```
-/// use courant_analysis::{kernel::Kernel, stability::margin::Margin, exact::rational::integer};
-/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-/// let upwind = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
-/// let margin = Margin::new(&upwind.unwrap().symbol(), &integer(0));
+/// use courant_analysis::{exact::rational::integer, scheme::Step};
+/// let upwind = Step::from_text("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])")?;
+/// let margin = upwind.gain_margin("C", &integer(0))?.unwrap();
 /// // 1 − |g|² = 4 s C (1 − C)
 /// assert_eq!((margin.phase_power(), margin.courant_power()), (1, 1));
 /// assert_eq!(margin.coefficient(0).at_zero(), integer(4));
 /// assert_eq!(margin.coefficient(1).at_zero(), integer(-4));
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Margin {
@@ -298,34 +298,34 @@ mod tests {
     use super::*;
     use crate::exact::rational::{ratio, to_f64};
     use crate::kernel::Kernel;
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use crate::scheme::testing::{SPH, sph};
     use proptest::prelude::*;
 
-    fn symbol(scheme: AdvectionScheme, kernel: Kernel, ratio: Rational) -> EnclosedSymbol {
-        Discretisation::new(scheme, kernel, ratio).unwrap().symbol()
+    fn margin(scheme: &str, kernel: Kernel, ratio: Rational) -> Margin {
+        sph(scheme, kernel, &ratio).gain_margin("C", &integer(0)).unwrap().unwrap()
     }
 
     #[test]
     fn structure_is_recognised() {
         let shape = |scheme, kernel, ratio| {
-            let margin = Margin::new(&symbol(scheme, kernel, ratio), &integer(0));
+            let margin = margin(scheme, kernel, ratio);
             (margin.phase_power(), margin.courant_power(), margin.stride(), margin.powers())
         };
-        use AdvectionScheme::{EulerSph, GodunovSph, LaxWendroffSph};
+        let [euler, lax_wendroff, godunov] = SPH;
         for kernel in Kernel::ALL {
-            assert_eq!(shape(GodunovSph, kernel, integer(2)), (1, 1, 1, 2), "{kernel}");
+            assert_eq!(shape(godunov, kernel, integer(2)), (1, 1, 1, 2), "{kernel}");
         }
-        assert_eq!(shape(EulerSph, Kernel::Gaussian, integer(2)), (1, 2, 1, 1));
+        assert_eq!(shape(euler, Kernel::Gaussian, integer(2)), (1, 2, 1, 1));
         // Fully consistent: fourth order in φ. Not keeping constants: no factor at all.
-        assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, integer(2)), (2, 2, 2, 2));
-        assert_eq!(shape(LaxWendroffSph, Kernel::CubicSpline, ratio(13, 10)), (0, 2, 2, 2));
-        assert_eq!(shape(LaxWendroffSph, Kernel::Gaussian, integer(2)), (0, 2, 2, 2));
+        assert_eq!(shape(lax_wendroff, Kernel::CubicSpline, integer(2)), (2, 2, 2, 2));
+        assert_eq!(shape(lax_wendroff, Kernel::CubicSpline, ratio(13, 10)), (0, 2, 2, 2));
+        assert_eq!(shape(lax_wendroff, Kernel::Gaussian, integer(2)), (0, 2, 2, 2));
         // At ratio 2 the cubic spline does not see the shortest wave: g(π) = 1 at every C.
-        let cubic = symbol(LaxWendroffSph, Kernel::CubicSpline, integer(2));
-        assert_eq!(Margin::new(&cubic, &integer(0)).complement_power(), 2);
+        let cubic = margin(lax_wendroff, Kernel::CubicSpline, integer(2));
+        assert_eq!(cubic.complement_power(), 2);
         // At ratio 3 it does not see φ = 2π/3, s = 3/4, and sees nothing of it to fourth order.
-        let cubic = symbol(LaxWendroffSph, Kernel::CubicSpline, integer(3));
-        let neutral = Margin::new(&cubic, &integer(0)).neutral_waves().clone();
+        let cubic = margin(lax_wendroff, Kernel::CubicSpline, integer(3));
+        let neutral = cubic.neutral_waves().clone();
         assert!(neutral.evaluate(&ratio(3, 4)).is_zero(), "{neutral:?}");
     }
 
@@ -336,12 +336,12 @@ mod tests {
             numerator in 5i64..60, courant_number in 0.0f64..5.0, phase in 0.0f64..3.2,
             growth in 0i64..3
         ) {
-            for scheme in AdvectionScheme::ALL {
+            for scheme in SPH {
                 for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
-                    let symbol = symbol(scheme, kernel, ratio(numerator, 10));
+                    let step = sph(scheme, kernel, &ratio(numerator, 10));
                     let growth = ratio(growth, 10);
-                    let margin = Margin::new(&symbol, &growth).compile();
-                    let gain = symbol.center().compile().amplification(courant_number, phase);
+                    let margin = step.gain_margin("C", &growth).unwrap().unwrap().compile();
+                    let gain = step.one_step("C").unwrap().gain(courant_number, phase);
                     let direct = (1.0 + to_f64(&growth)).powi(2) - gain.norm_sqr();
                     // Rounding of sums of moduli at most (1 + C)⁴.
                     let tolerance = 1e-13 * (1.0 + courant_number).powi(4);
@@ -359,8 +359,7 @@ mod tests {
     fn long_waves_lose_no_digits() {
         // 1 − |g|² = 4 s C (1 − C) for the upwind scheme, at a phase where the difference of squares
         // would have no digit left.
-        let upwind = symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
-        let margin = Margin::new(&upwind, &integer(0)).compile();
+        let margin = margin("godunov-sph", Kernel::CubicSpline, integer(1)).compile();
         let phase: f64 = 1e-9;
         let expected = 4.0 * (0.5 * phase).sin().powi(2) * 0.25;
         assert!((margin.at(0.5, phase) / expected - 1.0).abs() < 4.0 * f64::EPSILON);

@@ -3,7 +3,6 @@
 use super::critical::{refine, sampled_unstable_set};
 use super::{Evidence, Limit};
 use crate::exact::rational::{Rational, to_f64};
-use crate::scheme::symbol::EnclosedSymbol;
 use crate::stability::margin::Margin;
 
 /// The phases `0, step, 2 step, …` up to and including π, in radians.
@@ -21,35 +20,21 @@ pub fn phase_grid(step: f64) -> Vec<f64> {
     (0..=last).map(|index| (index as f64 * step).min(std::f64::consts::PI)).collect()
 }
 
-/// The largest Courant number in `[0, max_courant]` up to which `|g| ≤ 1` at every given phase.
+/// The largest Courant number in `[0, max_courant]` up to which a margin is not negative at any given phase.
 ///
 /// The true limit is at most this. A phase of exactly zero says nothing about a scheme that keeps
 /// constants, because `g(0) = 1` whatever the Courant number; it is passed over.
-pub fn sampled_stability_limit(
-    symbol: &EnclosedSymbol,
-    phases: &[f64],
-    max_courant: &Rational,
-) -> Limit {
-    sampled_limit(symbol, phases, max_courant, false)
+pub fn sampled_stability_limit(margin: &Margin, phases: &[f64], max_courant: &Rational) -> Limit {
+    sampled_limit(margin, phases, max_courant, false)
 }
 
 /// [`sampled_stability_limit`], then the phase that binds refined in floating point between its
 /// neighbours: accurate where the samples lead to the right neighbourhood, and no proof.
-pub fn refined_stability_limit(
-    symbol: &EnclosedSymbol,
-    phases: &[f64],
-    max_courant: &Rational,
-) -> Limit {
-    sampled_limit(symbol, phases, max_courant, true)
+pub fn refined_stability_limit(margin: &Margin, phases: &[f64], max_courant: &Rational) -> Limit {
+    sampled_limit(margin, phases, max_courant, true)
 }
 
-fn sampled_limit(
-    symbol: &EnclosedSymbol,
-    phases: &[f64],
-    max_courant: &Rational,
-    refined: bool,
-) -> Limit {
-    let margin = Margin::new(symbol, &Rational::from_integer(0.into()));
+fn sampled_limit(margin: &Margin, phases: &[f64], max_courant: &Rational, refined: bool) -> Limit {
     let evidence = Evidence::Sampled { phases: phases.len() };
     let compiled = margin.compile();
     let useful = phases.iter().copied().filter(|&phase| phase > 0.0 || margin.phase_power() == 0);

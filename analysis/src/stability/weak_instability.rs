@@ -21,14 +21,14 @@ pub struct LongWaveBehaviour {
 /// waves, or when growth is permitted (the question is then another one).
 ///
 /// ```
-/// use courant_analysis::{kernel::Kernel, stability::margin::Margin, exact::rational::integer};
-/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+/// use courant_analysis::{exact::rational::integer, scheme::Step};
 /// use courant_analysis::stability::weak_instability::long_wave_behaviour;
 /// // Forward Euler with central differences: |g|² = 1 + C² sin² φ.
-/// let euler = Discretisation::new(AdvectionScheme::EulerSph, Kernel::CubicSpline, integer(1));
-/// let margin = Margin::new(&euler.unwrap().symbol(), &integer(0));
+/// let euler = Step::from_text("u[n+1,j] = u[n,j] - C*(u[n,j+1] - u[n,j-1])/2")?;
+/// let margin = euler.gain_margin("C", &integer(0))?.unwrap();
 /// let leading = long_wave_behaviour(&margin).unwrap();
 /// assert_eq!((leading.power, leading.amplitude.evaluate(&integer(3))), (2, integer(9)));
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
 pub fn long_wave_behaviour(margin: &Margin) -> Option<LongWaveBehaviour> {
     if margin.is_neutral() || !margin.growth().is_zero() {
@@ -86,15 +86,16 @@ pub fn steps_to_double(growth: f64) -> Option<f64> {
 /// `1e-16 C²` is lost in rounding.
 ///
 /// ```
-/// use courant_analysis::{kernel::Kernel, stability::margin::Margin, exact::rational::integer};
-/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
+/// use courant_analysis::{exact::rational::integer, kernel::Kernel, scheme::catalogue};
 /// use courant_analysis::stability::weak_instability::{fastest_growth, steps_to_double};
-/// let godunov = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
-/// let margin = Margin::new(&godunov.unwrap().symbol(), &integer(0));
+/// let godunov = catalogue::scheme("godunov-sph").unwrap();
+/// let step = godunov.with_kernel(Kernel::CubicSpline, &integer(2))?;
+/// let margin = step.gain_margin("C", &integer(0))?.unwrap();
 /// // The published 1.90 is above 15/8.
 /// let growth = fastest_growth(&margin, 1.90);
 /// assert!(growth.growth > 1e-6 && steps_to_double(growth.growth).is_some());
 /// assert!(fastest_growth(&margin, 1.87).growth <= 0.0);
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
 pub fn fastest_growth(margin: &Margin, courant_number: f64) -> Extremum {
     let compiled = margin.compile();
@@ -159,17 +160,17 @@ mod tests {
     use super::*;
     use crate::exact::rational::to_f64;
     use crate::kernel::Kernel;
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use crate::scheme::testing::{SPH, sph};
 
-    fn margin(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> Margin {
-        Margin::new(&Discretisation::new(scheme, kernel, l).unwrap().symbol(), &integer(0))
+    fn margin(scheme: &str, kernel: Kernel, l: Rational) -> Margin {
+        sph(scheme, kernel, &l).gain_margin("C", &integer(0)).unwrap().unwrap()
     }
 
     #[test]
     fn the_leading_term_is_the_limit_of_the_symbol() {
         // The margin has no cancellation, so the quotient is good to φ² at φ = 1e-3.
         for kernel in [Kernel::CubicSpline, Kernel::QuinticSpline, Kernel::WendlandC2] {
-            for scheme in AdvectionScheme::ALL {
+            for scheme in SPH {
                 let margin = margin(scheme, kernel, integer(2));
                 let leading = long_wave_behaviour(&margin).unwrap();
                 for courant_number in [ratio(1, 3), ratio(7, 5)] {
@@ -189,21 +190,21 @@ mod tests {
 
     #[test]
     fn at_the_long_wave_limit_the_next_power_leads() {
-        let margin = margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
+        let margin = margin("godunov-sph", Kernel::CubicSpline, integer(2));
         let limit = ratio(15, 8);
         let general = long_wave_behaviour(&margin).unwrap();
         assert_eq!((general.power, general.amplitude.evaluate(&limit)), (2, integer(0)));
         let (power, amplitude) = long_wave_behaviour_at(&margin, &limit).unwrap();
         assert!(power == 4 && amplitude < integer(0), "{amplitude}");
         // The exact shift is neutral at C = 1: no power at all.
-        let shift = self::margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
+        let shift = self::margin("godunov-sph", Kernel::CubicSpline, integer(1));
         assert_eq!(long_wave_behaviour_at(&shift, &integer(1)), None);
     }
 
     #[test]
     fn growth_is_found_wherever_it_is() {
         // Euler with central differences: |g|² = 1 + C² sin² φ, largest at π/2.
-        let euler = margin(AdvectionScheme::EulerSph, Kernel::CubicSpline, integer(1));
+        let euler = margin("euler-sph", Kernel::CubicSpline, integer(1));
         let growth = fastest_growth(&euler, 0.3);
         assert!((growth.growth - (1.09f64.sqrt() - 1.0)).abs() < 1e-15);
         assert!((growth.phase - PI / 2.0).abs() < 1e-6);
@@ -211,7 +212,7 @@ mod tests {
         let steps = steps_to_double(growth.growth).unwrap();
         assert!(((1.0 + growth.growth).powf(steps) - 2.0).abs() < 1e-12);
         // A hair above a long-wave limit: only very long waves grow, |g|² − 1 = −A₂φ² − A₄φ⁴.
-        let godunov = margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
+        let godunov = margin("godunov-sph", Kernel::CubicSpline, integer(2));
         let excess = 1e-9;
         let growth = fastest_growth(&godunov, 15.0 / 8.0 * (1.0 + excess));
         assert!(growth.growth > 0.0 && growth.phase < 1e-3, "{growth:?}");
@@ -227,7 +228,7 @@ mod tests {
 
     #[test]
     fn few_cells_do_not_see_a_long_wave_instability() {
-        let godunov = margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
+        let godunov = margin("godunov-sph", Kernel::CubicSpline, integer(2));
         let courant_number = 1.876;
         let all = fastest_growth(&godunov, courant_number);
         assert!(all.growth > 0.0);
@@ -235,7 +236,7 @@ mod tests {
         let many = growth_seen_by(&godunov, courant_number, 20_000);
         assert!((many.growth / all.growth - 1.0).abs() < 1e-3);
         // A scheme that does not keep constants grows whatever the number of cells.
-        let drifting = margin(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, integer(3));
+        let drifting = margin("lax-wendroff-sph", Kernel::Gaussian, integer(3));
         let seen = growth_seen_by(&drifting, 1.0, 2);
         assert_eq!(seen.phase == 0.0, seen.growth > 0.0, "{seen:?}");
     }

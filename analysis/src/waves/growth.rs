@@ -206,11 +206,26 @@ impl PhaseTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::rational::{integer, ratio};
+    use crate::exact::rational::{Rational, integer, ratio};
+    use crate::exact::rational::{from_f64, to_f64};
+    use crate::exact::stencil::Stencil;
     use crate::kernel::Kernel;
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-    use crate::stability::margin::Margin;
+    use crate::scheme::testing::{SPH, sph};
     use proptest::prelude::*;
+
+    /// The scheme tabulated, and its coefficients at one Courant number.
+    fn at(
+        scheme: &str,
+        kernel: Kernel,
+        ratio: &Rational,
+        courant_number: f64,
+    ) -> (PhaseTable, Stencil<f64>) {
+        let step = sph(scheme, kernel, ratio);
+        let margin = step.gain_margin("C", &integer(0)).unwrap().unwrap();
+        let value = from_f64(courant_number).unwrap();
+        let stencil = step.one_step("C").unwrap().stencil_at(&value).map(to_f64);
+        (PhaseTable::new(margin.compile(), 100), stencil)
+    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
@@ -219,15 +234,11 @@ mod tests {
             numerator in 5i64..60, courant_number in 0.01f64..8.0, scheme in 0usize..3
         ) {
             for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
-                let symbol = Discretisation::new(
-                    AdvectionScheme::ALL[scheme], kernel, ratio(numerator, 10)
-                ).unwrap().symbol();
-                let table = PhaseTable::new(Margin::new(&symbol, &integer(0)).compile(), 100);
+                let (table, gain) = at(SPH[scheme], kernel, &ratio(numerator, 10), courant_number);
                 let (largest, smallest) = table.extrema(courant_number, &mut Vec::new());
-                let gain = symbol.center().compile();
                 let (mut high, mut low) = (0.0f64, f64::INFINITY);
                 for i in 0..=4000 {
-                    let modulus = gain.amplification(courant_number, f64::from(i) * PI / 4000.0).norm();
+                    let modulus = gain.at_phase(f64::from(i) * PI / 4000.0).norm();
                     (high, low) = (high.max(modulus), low.min(modulus));
                 }
                 let scale = 1e-10 * high.max(1.0);
@@ -235,7 +246,7 @@ mod tests {
                 prop_assert!(high <= 1.0 + largest.growth + scale);
                 // Squares: near a zero of g the margin 1 − |g|² has no more digits than that.
                 prop_assert!(low.powi(2) >= (1.0 + smallest.growth).powi(2) - scale * high);
-                let direct = gain.amplification(courant_number, largest.phase).norm();
+                let direct = gain.at_phase(largest.phase).norm();
                 prop_assert!((direct - 1.0 - largest.growth).abs() < scale);
                 // |d²|g|²/dφ²| ≤ n² max|g|² with n ≤ 2·3·6 offsets; half the dense spacing squared.
                 prop_assert!(1.0 + largest.growth <= high + high * 40f64.powi(2) * (PI / 8000.0).powi(2));
@@ -246,14 +257,12 @@ mod tests {
     #[test]
     fn a_minimum_inside_the_first_cell_is_found() {
         // Lax–Wendroff SPH, Gaussian, ratio 1: |g| is smallest at a phase below the first sample.
-        let scheme = AdvectionScheme::LaxWendroffSph;
-        let symbol = Discretisation::new(scheme, Kernel::Gaussian, integer(1)).unwrap().symbol();
-        let table = PhaseTable::new(Margin::new(&symbol, &integer(0)).compile(), 100);
         for courant_number in [2.917_108_763_299_729_5, 2.965_494_334_501_877_4] {
+            let (table, gain) =
+                at("lax-wendroff-sph", Kernel::Gaussian, &integer(1), courant_number);
             let (_, smallest) = table.extrema(courant_number, &mut Vec::new());
-            let gain = symbol.center().compile();
             let dense = (0..=4000)
-                .map(|i| gain.amplification(courant_number, f64::from(i) * PI / 4000.0).norm())
+                .map(|i| gain.at_phase(f64::from(i) * PI / 4000.0).norm())
                 .fold(f64::INFINITY, f64::min);
             assert!(1.0 + smallest.growth <= dense + 1e-10, "{smallest:?} {dense}");
         }

@@ -1,10 +1,8 @@
 //! Sweeps over the (smoothing ratio, Courant number) plane, in parallel over the ratios.
 
-use crate::exact::rational::{Rational, integer};
-use crate::kernel::Kernel;
+use crate::exact::rational::Rational;
 use crate::kernel::lattice::RatioOutOfRange;
 use crate::scheme::SchemeError;
-use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
 use crate::stability::margin::Margin;
 use crate::waves::growth::PhaseTable;
 use ndarray::{Array2, Axis, Zip};
@@ -69,16 +67,15 @@ pub struct GainMap {
     pub lowest_gain_phase: Array2<f64>,
 }
 
-/// For every ratio and Courant number the largest and the smallest `|g|` over all phases, on at least
+/// For every ratio, with the margin `1 − |g|²` of the scheme there, and every Courant number the largest and the smallest `|g|` over all phases, on at least
 /// `phases` samples with refinement in between (to 1e-10 of the true extremum).
 ///
 /// The result does not depend on the number of threads.
 ///
 /// # Errors
-/// When a ratio is out of range or the callback stops the sweep.
+/// The error of a margin, or that the callback stopped the sweep.
 pub fn gain_map(
-    scheme: AdvectionScheme,
-    kernel: Kernel,
+    margin: impl Fn(&Rational) -> Result<Margin, SchemeError> + Sync + Send,
     ratios: &[Rational],
     courant_numbers: &[f64],
     phases: usize,
@@ -92,8 +89,7 @@ pub fn gain_map(
         lowest_gain_phase: Array2::zeros(shape),
     };
     let rows = with_progress(ratios.par_iter(), progress, |ratio| {
-        let symbol = Discretisation::new(scheme, kernel, ratio.clone())?.symbol();
-        let table = PhaseTable::new(Margin::new(&symbol, &integer(0)).compile(), phases);
+        let table = PhaseTable::new(margin(ratio)?.compile(), phases);
         let mut scratch = Vec::new();
         let extrema = courant_numbers.iter().map(|&c| table.extrema(c, &mut scratch));
         Ok(extrema.collect::<Vec<_>>())
@@ -117,7 +113,16 @@ pub fn gain_map(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::rational::ratio;
+    use crate::exact::rational::{integer, ratio};
+    use crate::kernel::Kernel;
+    use crate::scheme::testing::sph;
+
+    fn margin(
+        scheme: &'static str,
+        kernel: Kernel,
+    ) -> impl Fn(&Rational) -> Result<Margin, SchemeError> + Sync + Send {
+        move |ratio| Ok(sph(scheme, kernel, ratio).gain_margin("C", &integer(0))?.unwrap())
+    }
 
     fn axes() -> (Vec<Rational>, Vec<f64>) {
         let ratios = (10..40).map(|i| ratio(i, 10)).collect();
@@ -131,15 +136,8 @@ mod tests {
         let run = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
-                gain_map(
-                    AdvectionScheme::GodunovSph,
-                    Kernel::Gaussian,
-                    &ratios,
-                    &courant_numbers,
-                    200,
-                    &no_progress,
-                )
-                .unwrap()
+                let godunov = margin("godunov-sph", Kernel::Gaussian);
+                gain_map(godunov, &ratios, &courant_numbers, 200, &no_progress).unwrap()
             })
         };
         assert_eq!(run(1), run(3));
@@ -149,8 +147,8 @@ mod tests {
     fn a_sweep_can_be_cancelled_and_reports_every_row() {
         let (ratios, courant_numbers) = axes();
         let sweep = |progress: Progress<'_>| {
-            let (scheme, kernel) = (AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline);
-            gain_map(scheme, kernel, &ratios, &courant_numbers, 100, progress)
+            let lax_wendroff = margin("lax-wendroff-sph", Kernel::CubicSpline);
+            gain_map(lax_wendroff, &ratios, &courant_numbers, 100, progress)
         };
         let rows = AtomicUsize::new(0);
         let count = |_: usize, all: usize| {
@@ -166,8 +164,7 @@ mod tests {
     #[test]
     fn rows_and_columns_are_where_they_belong() {
         let map = gain_map(
-            AdvectionScheme::GodunovSph,
-            Kernel::CubicSpline,
+            margin("godunov-sph", Kernel::CubicSpline),
             &[ratio(1, 1), ratio(2, 1)],
             &[0.5, 1.0, 2.0],
             100,

@@ -5,9 +5,8 @@ use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::rational::{integer, ratio, to_f64};
 use crate::exact::stencil::Stencil;
 use crate::kernel::Kernel;
-use crate::scheme::symbol::{EnclosedSymbol, Symbol};
-use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-use crate::stability::{Limit, stable_set, stable_set_of};
+use crate::scheme::testing::{SPH, sph, step_of};
+use crate::stability::{Limit, stable_set_of};
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
@@ -53,11 +52,11 @@ fn compare(margin: &Margin, end: &Rational) -> bool {
 fn cells_find_the_limits_of_the_schemes() {
     let mut compared = 0;
     for l in ["1", "11/10", "13/10", "3/2", "2", "5/2", "3"] {
-        for scheme in AdvectionScheme::ALL {
+        for scheme in SPH {
             for kernel in [Kernel::CubicSpline, Kernel::WendlandC4] {
                 let l = crate::exact::rational::parse(l).unwrap();
-                let symbol = Discretisation::new(scheme, kernel, l).unwrap().symbol();
-                let margin = Margin::new(&symbol, &integer(0));
+                let margin = sph(scheme, kernel, &l).gain_margin("C", &integer(0));
+                let margin = margin.unwrap().unwrap();
                 compared += usize::from(compare(&margin, &integer(20)));
             }
         }
@@ -66,13 +65,14 @@ fn cells_find_the_limits_of_the_schemes() {
     assert_eq!(compared, 42);
 }
 
-fn symbol(powers: Vec<Vec<i64>>, scale: i64) -> EnclosedSymbol {
-    let powers = powers.into_iter().enumerate();
-    let symbol = powers.fold(Symbol::identity(), |sum, (power, values)| {
-        let values = values.into_iter().map(|value| ratio(value, scale)).collect();
-        sum - Symbol::courant_power(power + 1, Stencil::new(-1, values))
-    });
-    EnclosedSymbol::exact(symbol)
+/// The margin of `1 − Σ_p C^p S_p`.
+fn margin(powers: Vec<Vec<i64>>, scale: i64, growth: i64) -> Margin {
+    let stencil = |values: Vec<i64>| {
+        Stencil::new(-1, values.into_iter().map(|value| ratio(-value, scale)).collect())
+    };
+    let stencils: Vec<_> =
+        [Stencil::shift(0)].into_iter().chain(powers.into_iter().map(stencil)).collect();
+    step_of(&stencils).gain_margin("C", &ratio(growth, 100)).unwrap().unwrap()
 }
 
 proptest! {
@@ -82,7 +82,8 @@ proptest! {
         powers in prop::collection::vec(prop::collection::vec(-6i64..=6, 1..5), 1..5),
         scale in 3i64..30, growth in 0i64..3
     ) {
-        let margin = Margin::new(&symbol(powers, scale), &ratio(growth, 100));
+        prop_assume!(powers.iter().flatten().any(|value| *value != 0));
+        let margin = margin(powers, scale, growth);
         prop_assume!(!margin.is_neutral());
         compare(&margin, &integer(4));
     }
@@ -90,8 +91,7 @@ proptest! {
 
 #[test]
 fn an_edge_where_three_waves_meet_is_found() {
-    let margin = Margin::new(&symbol(vec![vec![0, -3], vec![1, 2, -1]], 16), &ratio(1, 100));
-    assert!(compare(&margin, &integer(4)));
+    assert!(compare(&margin(vec![vec![0, -3], vec![1, 2, -1]], 16, 1), &integer(4)));
 }
 
 /// `P = Σ_j t^j p_j(s)` from coefficients of powers of `s`.
@@ -136,9 +136,7 @@ fn limits_are_roots_of_the_discriminant() {
     // The discriminants of Lax–Wendroff SPH with the cubic spline, from a computer algebra system.
     let equation = |numerator, denominator| {
         let ratio = ratio(numerator, denominator);
-        let scheme =
-            Discretisation::new(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, ratio);
-        let limit = stable_set(&scheme.unwrap().symbol(), &integer(0), &integer(10)).limit();
+        let limit = sph("lax-wendroff-sph", Kernel::CubicSpline, &ratio).limit("C").unwrap();
         let root = limit.equation().expect("the limit is algebraic").clone();
         let (lower, upper) = root.enclosure(200);
         assert!(to_f64(&lower) <= limit.upper() && limit.lower() <= to_f64(&upper));

@@ -5,17 +5,18 @@ use crate::exact::bernstein::{MarginForm, Sign};
 use crate::exact::rational::{parse, ratio};
 use crate::exact::stencil::Stencil;
 use crate::kernel::Kernel;
-use crate::scheme::symbol::{EnclosedSymbol, Symbol};
-use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-use crate::stability::{Evidence, StableSet, stable_set};
+use crate::scheme::testing::{sph, step_of};
+use crate::scheme::{KernelLattice, OneStep, Step, catalogue};
+use crate::stability::{Evidence, SearchPlan, StableSet};
 use proptest::prelude::*;
 
 /// `1 − |g|²` from the coefficients alone, exact: `Σ_{k,l} c_k c_l T_{|k−l|}(1 − 2s)`.
-fn plain_margin(symbol: &EnclosedSymbol, courant_number: &Rational, s: &Rational) -> Rational {
-    let stencil = symbol.center().at_courant_number(courant_number);
+fn plain_margin(one_step: &OneStep, courant_number: &Rational, s: &Rational) -> Rational {
+    let stencil = one_step.stencil_at(courant_number);
+    let span = stencil.reach().map_or(0, |(low, high)| high - low);
     let cosine = integer(1) - s * integer(2);
     let mut chebyshev = vec![integer(1), cosine.clone()];
-    for _ in 0..symbol.span() {
+    for _ in 0..span {
         let [.., before, last] = chebyshev.as_slice() else { unreachable!("starts with two") };
         let next = &cosine * last * integer(2) - before;
         chebyshev.push(next);
@@ -29,6 +30,14 @@ fn plain_margin(symbol: &EnclosedSymbol, courant_number: &Rational, s: &Rational
     sum
 }
 
+fn margin_of(step: &Step) -> Margin {
+    step.gain_margin("C", &integer(0)).unwrap().unwrap()
+}
+
+fn set_of(step: &Step, max: Rational) -> StableSet {
+    step.stable_set("C", &SearchPlan::default().up_to(max)).unwrap()
+}
+
 fn by_boxes(margin: &Margin, courant_number: &Rational) -> Option<bool> {
     let t = courant_number.pow(margin.stride() as i32);
     match MarginForm::new(margin).sign(&t, &t, 2000).0 {
@@ -39,8 +48,8 @@ fn by_boxes(margin: &Margin, courant_number: &Rational) -> Option<bool> {
 }
 
 /// Sturm, Bernstein, the stable set and 33 exactly evaluated waves: none may contradict another.
-fn cross_check(symbol: &EnclosedSymbol, set: &StableSet, courant_number: &Rational) {
-    let margin = Margin::new(symbol, &integer(0));
+fn cross_check(step: &Step, set: &StableSet, courant_number: &Rational) {
+    let (margin, one_step) = (margin_of(step), step.one_step("C").unwrap());
     let verdict = decide_at(&margin, courant_number);
     let stable = match &verdict {
         PointVerdict::Stable => true,
@@ -50,21 +59,21 @@ fn cross_check(symbol: &EnclosedSymbol, set: &StableSet, courant_number: &Ration
                 let step = ratio(1, 1 << 40);
                 [s.clone(), s + &step, s - &step]
             };
-            let negative = |s: &Rational| plain_margin(symbol, courant_number, s).is_negative();
+            let negative = |s: &Rational| plain_margin(&one_step, courant_number, s).is_negative();
             assert!(
                 near(s).iter().any(|s| *s >= integer(0) && *s <= integer(1) && negative(s)),
-                "{symbol:?} at {courant_number}: {s} does not grow"
+                "{one_step:?} at {courant_number}: {s} does not grow"
             );
             false
         }
         PointVerdict::Undecided => panic!("exact coefficients decide everything"),
     };
     for index in 0..=32 {
-        let value = plain_margin(symbol, courant_number, &ratio(index, 32));
-        assert!(!(stable && value.is_negative()), "{symbol:?} at {courant_number}, wave {index}");
+        let value = plain_margin(&one_step, courant_number, &ratio(index, 32));
+        assert!(!(stable && value.is_negative()), "{one_step:?} at {courant_number}, wave {index}");
     }
     if let Some(boxes) = by_boxes(&margin, courant_number) {
-        assert_eq!(boxes, stable, "{symbol:?} at {courant_number}");
+        assert_eq!(boxes, stable, "{one_step:?} at {courant_number}");
     }
     let float = crate::exact::rational::to_f64(courant_number);
     let open = set.undecided.iter().any(|(from, to)| *from <= float && float <= *to);
@@ -75,25 +84,26 @@ fn cross_check(symbol: &EnclosedSymbol, set: &StableSet, courant_number: &Ration
         .flat_map(|interval| [&interval.from, &interval.to])
         .any(|end| end.exact().is_none() && (end.value() - float).abs() <= 1e-12 * float);
     if !open && !close {
-        assert_eq!(set.contains(courant_number), stable, "{symbol:?} at {courant_number}: {set:?}");
+        assert_eq!(
+            set.contains(courant_number),
+            stable,
+            "{one_step:?} at {courant_number}: {set:?}"
+        );
     }
 }
 
 /// `1 + Σ_j C^j (difference stencils)`: keeps constants, powers of C up to 4, so `|g|²` up to 8.
-fn random_symbol() -> impl Strategy<Value = EnclosedSymbol> {
+fn random_step() -> impl Strategy<Value = Step> {
     let power = prop::collection::vec(-6i64..=6, 1..4);
     (prop::collection::vec(power, 1..5), prop::bool::ANY, 1i64..12).prop_map(
         |(powers, keeps_constants, scale)| {
             let difference = Stencil::new(-1, vec![integer(-1), integer(1)]);
-            let symbol =
-                powers.into_iter().enumerate().fold(Symbol::identity(), |sum, (power, values)| {
-                    let values: Vec<_> = values.into_iter().map(|v| ratio(v, 3 * scale)).collect();
-                    let stencil = Stencil::new(-1, values);
-                    let stencil =
-                        if keeps_constants { stencil * difference.clone() } else { stencil };
-                    sum - Symbol::courant_power(power + 1, stencil)
-                });
-            EnclosedSymbol::exact(symbol)
+            let stencils = powers.into_iter().map(|values| {
+                let values: Vec<_> = values.into_iter().map(|v| ratio(-v, 3 * scale)).collect();
+                let stencil = Stencil::new(-1, values);
+                if keeps_constants { stencil * difference.clone() } else { stencil }
+            });
+            step_of(&[Stencil::shift(0)].into_iter().chain(stencils).collect::<Vec<_>>())
         },
     )
 }
@@ -101,10 +111,11 @@ fn random_symbol() -> impl Strategy<Value = EnclosedSymbol> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
     #[test]
-    fn random_symbols_are_decided_alike(symbol in random_symbol(), at in prop::collection::vec(1i64..400, 6)) {
-        let set = stable_set(&symbol, &integer(0), &integer(4));
+    fn random_schemes_are_decided_alike(step in random_step(), at in prop::collection::vec(1i64..400, 6)) {
+        prop_assume!(!step.free_parameters().is_empty());
+        let set = set_of(&step, integer(4));
         for numerator in at {
-            cross_check(&symbol, &set, &ratio(numerator, 100));
+            cross_check(&step, &set, &ratio(numerator, 100));
         }
         for interval in &set.intervals {
             // Either side of every end.
@@ -112,7 +123,7 @@ proptest! {
                 let Some(value) = crate::exact::rational::from_f64(end.value()) else { continue };
                 for side in [ratio(999_999, 1_000_000), ratio(1_000_001, 1_000_000)] {
                     let point = &value * side;
-                    if point < integer(4) { cross_check(&symbol, &set, &point); }
+                    if point < integer(4) { cross_check(&step, &set, &point); }
                 }
             }
         }
@@ -120,16 +131,19 @@ proptest! {
 }
 
 /// A real symmetric scheme `g = 1 − q(s, C)` from `q` in powers of `C` and `s`.
-fn real_symbol(q: &[&[Rational]]) -> EnclosedSymbol {
+fn real_step(q: &[&[Rational]]) -> Step {
     // s = (2 − E − E⁻¹)/4.
     let s = Stencil::new(-1, vec![ratio(-1, 4), ratio(1, 2), ratio(-1, 4)]);
-    let symbol = q.iter().enumerate().fold(Symbol::identity(), |sum, (power, row)| {
-        let stencil = row.iter().rev().fold(Stencil::new(0, Vec::new()), |sum, value| {
-            sum * s.clone() + Stencil::term(0, value.clone())
-        });
-        sum - Symbol::courant_power(power, stencil)
-    });
-    EnclosedSymbol::exact(symbol)
+    let mut stencils: Vec<Stencil<Rational>> = q
+        .iter()
+        .map(|row| {
+            row.iter().rev().fold(Stencil::new(0, Vec::new()), |sum, value| {
+                sum * s.clone() - Stencil::term(0, value.clone())
+            })
+        })
+        .collect();
+    stencils[0] = stencils[0].clone() + Stencil::shift(0);
+    step_of(&stencils)
 }
 
 #[test]
@@ -138,12 +152,12 @@ fn a_root_that_touches_at_one_courant_number_is_passed() {
     let zero = integer(0);
     let q: [&[Rational]; 4] =
         [&[zero], &[ratio(5, 16), ratio(-1, 4), ratio(1, 4)], &[ratio(-1, 2)], &[ratio(1, 4)]];
-    let symbol = real_symbol(&q);
-    let margin = Margin::new(&symbol, &integer(0));
+    let step = real_step(&q);
+    let margin = margin_of(&step);
     for side in ["999999999/1000000000", "1", "1000000001/1000000000"] {
         assert_eq!(decide_at(&margin, &parse(side).unwrap()), PointVerdict::Stable, "{side}");
     }
-    let set = stable_set(&symbol, &integer(0), &ratio(3, 2));
+    let set = set_of(&step, ratio(3, 2));
     // One interval, or two with a sliver between them that is said to be open: never unstable.
     assert!(set.intervals.iter().all(|interval| interval.to.evidence() == Evidence::Proved));
     for point in [ratio(1, 2), ratio(99, 100), ratio(101, 100), ratio(7, 5)] {
@@ -156,12 +170,12 @@ fn a_root_that_touches_at_one_courant_number_is_passed() {
 #[test]
 fn a_wave_that_is_neutral_for_every_courant_number_is_no_obstacle() {
     // q = C (s − 1/3)²: touching at an irrational phase, whatever C; stable while q ≤ 2.
-    let symbol = real_symbol(&[&[integer(0)], &[ratio(1, 9), ratio(-2, 3), integer(1)]]);
-    let set = stable_set(&symbol, &integer(0), &integer(30));
+    let step = real_step(&[&[integer(0)], &[ratio(1, 9), ratio(-2, 3), integer(1)]]);
+    let set = set_of(&step, integer(30));
     // The largest (s − 1/3)² is 4/9 at s = 1.
     assert_eq!(set.limit().exact().unwrap().to_string(), "9/2");
     for point in [ratio(1, 7), ratio(9, 2), ratio(46, 10)] {
-        cross_check(&symbol, &set, &point);
+        cross_check(&step, &set, &point);
     }
 }
 
@@ -171,12 +185,14 @@ fn coefficients_of_very_different_size() {
     for (small, power) in [("1e-30", 1), ("-1e-12", 3), ("1e-12", 3), ("1e25", 4)] {
         let backward = Stencil::new(-1, vec![integer(-1), integer(1)]);
         let second = Stencil::new(-1, vec![integer(1), integer(-2), integer(1)]);
-        let symbol = Symbol::identity() - Symbol::courant_power(1, backward)
-            + Symbol::courant_power(power, second * Stencil::term(0, parse(small).unwrap()));
-        let symbol = EnclosedSymbol::exact(symbol);
-        let set = stable_set(&symbol, &integer(0), &integer(10));
+        let mut stencils = vec![Stencil::new(0, Vec::new()); 5];
+        (stencils[0], stencils[1]) = (Stencil::shift(0), -backward);
+        stencils[power] =
+            stencils[power].clone() + second * Stencil::term(0, parse(small).unwrap());
+        let step = step_of(&stencils);
+        let set = set_of(&step, integer(10));
         for point in ["1e-9", "1e-6", "1/2", "999/1000", "1", "1001/1000", "3"] {
-            cross_check(&symbol, &set, &parse(point).unwrap());
+            cross_check(&step, &set, &parse(point).unwrap());
         }
     }
 }
@@ -190,11 +206,10 @@ fn limits_are_continuous_where_a_lattice_point_crosses_a_knot() {
         let limits: Vec<f64> = [&at - &small, at.clone(), &at + &small]
             .into_iter()
             .map(|l| {
-                let of = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, l);
-                let symbol = of.unwrap().symbol();
-                let set = stable_set(&symbol, &integer(0), &integer(30));
+                let step = sph("godunov-sph", Kernel::CubicSpline, &l);
+                let set = set_of(&step, integer(30));
                 assert!(set.undecided.is_empty());
-                cross_check(&symbol, &set, &ratio(3, 2));
+                cross_check(&step, &set, &ratio(3, 2));
                 set.limit().value()
             })
             .collect();
@@ -203,8 +218,7 @@ fn limits_are_continuous_where_a_lattice_point_crosses_a_knot() {
     }
     // The cut Gaussian loses a point of finite weight just below ratio k/3.
     let gaussian = |l: Rational| {
-        let of = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::Gaussian, l).unwrap();
-        stable_set(&of.symbol(), &integer(0), &integer(30)).limit().value()
+        set_of(&sph("godunov-sph", Kernel::Gaussian, &l), integer(30)).limit().value()
     };
     let (below, at, above) =
         (gaussian(ratio(4, 3) - &small), gaussian(ratio(4, 3)), gaussian(ratio(4, 3) + &small));
@@ -213,16 +227,14 @@ fn limits_are_continuous_where_a_lattice_point_crosses_a_knot() {
 
 #[test]
 fn ratio_fifty_is_decided() {
-    let of = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(50));
-    let set = stable_set(&of.unwrap().symbol(), &integer(0), &integer(100));
+    let set = set_of(&sph("godunov-sph", Kernel::CubicSpline, &integer(50)), integer(100));
     assert!(set.undecided.is_empty() && set.limit().exact().is_some());
     assert!(set.work.boxes <= 40, "{:?}", set.work);
 }
 
 #[test]
 fn an_exactly_neutral_scheme_is_stable_at_its_limit_and_not_above() {
-    let of = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
-    let margin = Margin::new(&of.unwrap().symbol(), &integer(0));
+    let margin = margin_of(&sph("godunov-sph", Kernel::CubicSpline, &integer(1)));
     assert_eq!(decide_at(&margin, &integer(1)), PointVerdict::Stable);
     let above = integer(1) + parse("1e-60").unwrap();
     assert!(matches!(decide_at(&margin, &above), PointVerdict::Unstable(_)));
@@ -234,16 +246,19 @@ fn enclosed_coefficients_may_leave_it_open_and_never_guess() {
     use crate::kernel::lattice::LatticeWeights;
     let wide = |value: f64| Interval::new(value - 1e-9, value + 1e-9);
     let weights = LatticeWeights::from_intervals(&[wide(0.5)], &[wide(-2.0), wide(1.0)]).unwrap();
-    let symbol = AdvectionScheme::GodunovSph.with_weights(&weights);
-    let margin = Margin::new(&symbol, &integer(0));
+    let lattice = KernelLattice::from_weights(integer(1), weights);
+    let of = |scheme: &str| {
+        catalogue::scheme(scheme).unwrap().step(Some(&lattice), None, &[], Some("C")).unwrap()
+    };
+    let step = of("godunov-sph");
+    let margin = margin_of(&step);
     assert_eq!(decide_at(&margin, &ratio(99, 100)), PointVerdict::Stable);
     assert_eq!(decide_at(&margin, &integer(1)), PointVerdict::Undecided);
     assert!(matches!(decide_at(&margin, &ratio(101, 100)), PointVerdict::Unstable(_)));
-    let limit = stable_set(&symbol, &integer(0), &integer(9)).limit();
+    let limit = set_of(&step, integer(9)).limit();
     assert_eq!(limit.evidence(), Evidence::Enclosed);
     assert!(limit.lower() < 1.0 && limit.upper() > 1.0 && limit.upper() - limit.lower() < 1e-7);
     // Lax–Wendroff's mean drifts by an unknown sign: open from the start.
-    let symbol = AdvectionScheme::LaxWendroffSph.with_weights(&weights);
-    let set = stable_set(&symbol, &integer(0), &integer(9));
+    let set = set_of(&of("lax-wendroff-sph"), integer(9));
     assert!(set.intervals.is_empty() && !set.undecided.is_empty(), "{set:?}");
 }

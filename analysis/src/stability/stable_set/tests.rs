@@ -1,18 +1,21 @@
 use super::*;
 use crate::exact::rational::{integer, ratio};
-use crate::exact::stencil::Stencil;
 use crate::kernel::Kernel;
-use crate::scheme::symbol::Symbol;
-use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-use crate::stability::Cause;
+use crate::scheme::Step;
+use crate::scheme::testing::{SPH, sph};
+use crate::stability::{Cause, SearchPlan};
 use proptest::prelude::*;
 
-fn symbol(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> EnclosedSymbol {
-    Discretisation::new(scheme, kernel, l).unwrap().symbol()
+fn plan(max: i64) -> SearchPlan {
+    SearchPlan::default().up_to(integer(max))
 }
 
-fn set(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> StableSet {
-    stable_set(&symbol(scheme, kernel, l), &integer(0), &integer(100))
+fn set_of(step: &Step, plan: &SearchPlan) -> StableSet {
+    step.stable_set("C", plan).unwrap()
+}
+
+fn set(scheme: &str, kernel: Kernel, l: Rational) -> StableSet {
+    set_of(&sph(scheme, kernel, &l), &plan(100))
 }
 
 /// The long-wave limit of Godunov SPH, `2Σk²w_k / (2Σk w_k)²`, straight from the weights.
@@ -27,7 +30,7 @@ fn long_wave_limit(kernel: Kernel, l: &Rational) -> Rational {
 #[test]
 fn godunov_limits_of_table_1_are_the_long_wave_fractions() {
     for (l, exact) in [(1, "1"), (2, "15/8"), (3, "227/81"), (5, "2917/625"), (10, "46667/5000")] {
-        let set = set(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(l));
+        let set = set("godunov-sph", Kernel::CubicSpline, integer(l));
         let limit = set.limit();
         assert_eq!(limit.evidence(), Evidence::Proved);
         assert_eq!(
@@ -45,7 +48,7 @@ fn godunov_limits_of_table_1_are_the_long_wave_fractions() {
 #[test]
 fn godunov_gaussian_limits_enclose_the_long_wave_value() {
     for l in 1..=10 {
-        let limit = set(AdvectionScheme::GodunovSph, Kernel::Gaussian, integer(l)).limit();
+        let limit = set("godunov-sph", Kernel::Gaussian, integer(l)).limit();
         assert_eq!(limit.evidence(), Evidence::Enclosed);
         assert!(limit.upper() - limit.lower() <= 2e-15 * limit.value(), "{limit:?}");
         let exact = to_f64(&long_wave_limit(Kernel::Gaussian, &integer(l)));
@@ -56,7 +59,7 @@ fn godunov_gaussian_limits_enclose_the_long_wave_value() {
 #[test]
 fn euler_is_unstable_at_once() {
     for kernel in Kernel::ALL {
-        let set = set(AdvectionScheme::EulerSph, kernel, ratio(3, 2));
+        let set = set("euler-sph", kernel, ratio(3, 2));
         assert!(set.intervals.is_empty() && set.undecided.is_empty());
         assert_eq!(set.limit().value(), 0.0);
         assert!(set.limit().critical_phase().is_some());
@@ -65,31 +68,31 @@ fn euler_is_unstable_at_once() {
 
 #[test]
 fn the_exact_shift_is_stable_and_not_beyond() {
-    let set = set(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1));
+    let set = set("godunov-sph", Kernel::CubicSpline, integer(1));
     assert_eq!(set.limit().exact().unwrap().to_string(), "1");
     assert!(set.contains(&integer(1)) && !set.contains(&ratio(1_000_001, 1_000_000)));
 }
 
 #[test]
 fn a_scheme_without_neighbours_is_neutral() {
-    let set = set(AdvectionScheme::GodunovSph, Kernel::CubicSpline, ratio(1, 4));
+    let set = set("godunov-sph", Kernel::CubicSpline, ratio(1, 4));
     assert!(set.neutral);
     assert!(set.limit().value().is_infinite());
 }
 
 #[test]
 fn lax_wendroff_is_the_classical_scheme_at_ratio_one() {
-    let set = set(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, integer(1));
+    let set = set("lax-wendroff-sph", Kernel::CubicSpline, integer(1));
     assert_eq!(set.limit().exact().unwrap().to_string(), "1");
 }
 
 #[test]
 fn lax_wendroff_with_the_cut_gaussian_has_no_strict_limit_but_budgets() {
-    let symbol = symbol(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, integer(3));
-    let max = integer(30);
-    let mut last = stable_set(&symbol, &integer(0), &max).limit().value();
+    let step = sph("lax-wendroff-sph", Kernel::Gaussian, &integer(3));
+    let mut last = set_of(&step, &plan(30)).limit().value();
     for growth in ["1e-9", "1e-6", "1e-3", "1e-2"] {
-        let limit = growth_limit(&symbol, &crate::exact::rational::parse(growth).unwrap(), &max);
+        let growth = crate::exact::rational::parse(growth).unwrap();
+        let limit = set_of(&step, &plan(30).growing(growth.clone())).limit();
         assert!(limit.value() >= last, "{growth}: {limit:?}");
         assert!(limit.upper() - limit.lower() <= 4e-15 * limit.value());
         last = limit.value();
@@ -103,12 +106,8 @@ fn lax_wendroff_with_the_cut_gaussian_has_no_strict_limit_but_budgets() {
 #[test]
 fn a_disconnected_stable_set_is_found_whole() {
     // a(C) = C (C² − 6C + 9.5)/3 rises above 1, falls below it and rises again.
-    let backward = Stencil::new(-1, vec![integer(-1), integer(1)]);
-    let a = [ratio(19, 6), integer(-2), ratio(1, 3)];
-    let symbol = a.into_iter().enumerate().fold(Symbol::identity(), |sum, (power, value)| {
-        sum - Symbol::courant_power(power + 1, backward.clone() * Stencil::term(0, value))
-    });
-    let set = stable_set(&EnclosedSymbol::exact(symbol), &integer(0), &integer(10));
+    let text = "u[n+1,j] = u[n,j] - C*(C^2 - 6*C + 9.5)/3*(u[n,j] - u[n,j-1])";
+    let set = set_of(&Step::from_text(text).unwrap(), &plan(10));
     assert!(set.undecided.is_empty(), "{set:?}");
     let a = |c: f64| c * (c * c - 6.0 * c + 9.5) / 3.0;
     assert_eq!(set.intervals.len(), 2, "{set:?}");
@@ -123,8 +122,8 @@ fn a_disconnected_stable_set_is_found_whole() {
 #[test]
 fn printed_digits_are_those_of_the_limit() {
     // The Gaussian's weights are enclosed to 2^−185: fifty digits, not more, whatever is asked for.
-    let of = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::Gaussian, integer(3));
-    let set = stable_set_to(&of.unwrap().symbol(), &integer(0), &integer(10), 400);
+    let step = sph("godunov-sph", Kernel::Gaussian, &integer(3));
+    let set = set_of(&step, &plan(10).to_bits(400));
     let expected = long_wave_limit(Kernel::Gaussian, &integer(3));
     let digits = set.limit().decimal(100).unwrap();
     assert!((45..60).contains(&digits.len()), "{digits}");
@@ -133,11 +132,9 @@ fn printed_digits_are_those_of_the_limit() {
         printed <= expected && &expected - &printed < ratio(1, 10).pow(digits.len() as i32 - 4)
     );
     // An interior limit of an exact scheme: beyond the affordable discriminant by the narrower search.
-    let of =
-        Discretisation::new(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, ratio(81, 10));
-    let symbol = of.unwrap().symbol();
-    let wide = stable_set(&symbol, &integer(0), &integer(20)).limit();
-    let narrow = stable_set_to(&symbol, &integer(0), &integer(20), 140).limit();
+    let step = sph("lax-wendroff-sph", Kernel::CubicSpline, &ratio(81, 10));
+    let wide = set_of(&step, &plan(20)).limit();
+    let narrow = set_of(&step, &plan(20).to_bits(140)).limit();
     assert!(wide.equation().is_none());
     assert!(wide.lower() <= narrow.lower() && narrow.upper() <= wide.upper());
     assert_eq!(narrow.decimal(40).unwrap().len(), 41);
@@ -146,16 +143,16 @@ fn printed_digits_are_those_of_the_limit() {
 #[test]
 fn a_growth_budget_never_lowers_a_limit() {
     for (scheme, l) in [
-        (AdvectionScheme::LaxWendroffSph, integer(5)),
-        (AdvectionScheme::GodunovSph, ratio(3, 2)),
-        (AdvectionScheme::GodunovSph, integer(7)),
+        ("lax-wendroff-sph", integer(5)),
+        ("godunov-sph", ratio(3, 2)),
+        ("godunov-sph", integer(7)),
     ] {
-        let symbol = symbol(scheme, Kernel::CubicSpline, l.clone());
-        let strict = stable_set(&symbol, &integer(0), &integer(30)).limit();
+        let step = sph(scheme, Kernel::CubicSpline, &l);
+        let strict = set_of(&step, &plan(30)).limit();
         let mut last = strict.lower();
         for growth in ["1e-120", "1e-90", "1e-30", "1e-20", "1e-16", "1e-12"] {
             let growth = crate::exact::rational::parse(growth).unwrap();
-            let set = stable_set(&symbol, &growth, &integer(30));
+            let set = set_of(&step, &plan(30).growing(growth.clone()));
             let limit = set.limit();
             assert!(set.undecided.is_empty(), "{scheme} {l} {growth}: {set:?}");
             assert!(last <= limit.lower() && limit.evidence() == Evidence::Proved, "{limit:?}");
@@ -169,8 +166,7 @@ fn a_growth_budget_never_lowers_a_limit() {
 #[test]
 fn what_is_printed_may_be_used() {
     for (kernel, l) in [(Kernel::Gaussian, 1), (Kernel::Gaussian, 2), (Kernel::WendlandC2, 1)] {
-        let of = Discretisation::new(AdvectionScheme::GodunovSph, kernel, integer(l)).unwrap();
-        let set = stable_set(&of.symbol(), &integer(0), &integer(10));
+        let set = set_of(&sph("godunov-sph", kernel, &integer(l)), &plan(10));
         for text in [set.limit().decimal(11).unwrap(), set.limit().value().to_string()] {
             assert!(
                 set.contains(&crate::exact::rational::parse(&text).unwrap()),
@@ -183,9 +179,9 @@ fn what_is_printed_may_be_used() {
 #[test]
 fn the_work_stays_small() {
     for (scheme, kernel, l, boxes) in [
-        (AdvectionScheme::GodunovSph, Kernel::CubicSpline, 10, 20),
-        (AdvectionScheme::GodunovSph, Kernel::Gaussian, 10, 60),
-        (AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, 5, 400),
+        ("godunov-sph", Kernel::CubicSpline, 10, 20),
+        ("godunov-sph", Kernel::Gaussian, 10, 60),
+        ("lax-wendroff-sph", Kernel::CubicSpline, 5, 400),
     ] {
         let set = set(scheme, kernel, integer(l));
         assert!(set.undecided.is_empty());
@@ -199,14 +195,15 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
     #[test]
     fn limits_agree_with_dense_sampling(numerator in 6i64..50, scheme in 0usize..3, kernel in 0usize..7) {
-        let (scheme, kernel) = (AdvectionScheme::ALL[scheme], Kernel::ALL[kernel]);
-        let symbol = symbol(scheme, kernel, ratio(numerator, 10));
-        let set = stable_set(&symbol, &integer(0), &integer(30));
+        let (scheme, kernel) = (SPH[scheme], Kernel::ALL[kernel]);
+        let step = sph(scheme, kernel, &ratio(numerator, 10));
+        let set = set_of(&step, &plan(30));
         prop_assert!(set.undecided.is_empty(), "{} {} {}: {:?}", scheme, kernel, numerator, set);
-        let gain = symbol.center().compile();
+        let one_step = step.one_step("C").unwrap();
         let largest = |courant_number: f64| {
+            let stencil = one_step.stencil_at(&from_f64(courant_number).unwrap()).map(to_f64);
             (1..=3000)
-                .map(|i| gain.amplification(courant_number, f64::from(i) * std::f64::consts::PI / 3000.0).norm_sqr())
+                .map(|i| stencil.at_phase(f64::from(i) * std::f64::consts::PI / 3000.0).norm_sqr())
                 .fold(0.0, f64::max)
         };
         let limit = set.limit();
