@@ -1,37 +1,28 @@
-//! A scheme of one's own: Fromm's, as a symbol, with everything that follows from it.
+//! A scheme of one's own: Fromm's, as one types it, with everything that follows from it.
 //!
 //! Run with `cargo run --example your_own_scheme`.
 
-use courant::analysis::exact::rational::{integer, ratio};
-use courant::analysis::exact::stencil::Stencil;
-use courant::analysis::scheme::Scheme;
-use courant::analysis::scheme::symbol::{EnclosedSymbol, Symbol};
-use courant::analysis::stability::stability_limit;
+use courant::analysis::exact::rational::ratio;
+use courant::analysis::scheme::{SchemeError, Step};
+use courant::analysis::stability::SearchPlan;
 use courant::analysis::waves::consistency::consistency;
 
-/// `u_i − C (u_i − u_{i−1}) − (C/4)(1 − C)(u_{i+1} − u_i − u_{i−1} + u_{i−2})`: Fromm 1968.
-struct Fromm;
+/// Fromm 1968.
+const FROMM: &str = "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]) \
+                     - C/4*(1 - C)*(u[n,j+1] - u[n,j] - u[n,j-1] + u[n,j-2])";
 
-impl Scheme for Fromm {
-    fn symbol(&self) -> EnclosedSymbol {
-        let quarter = |values: [i64; 4]| Stencil::new(-2, values.map(|v| ratio(v, 4)).to_vec());
-        let upwind = Stencil::new(-1, vec![integer(-1), integer(1)]);
-        let slope = quarter([1, -1, -1, 1]);
-        EnclosedSymbol::exact(
-            Symbol::identity()
-                - Symbol::courant_power(1, upwind)
-                - Symbol::courant_power(1, slope.clone())
-                + Symbol::courant_power(2, slope),
-        )
-    }
-}
-
-fn main() {
-    let symbol = Fromm.symbol();
-    let limit = stability_limit(&symbol, &integer(10));
-    println!("{}", symbol.to_text());
-    println!("order      {:?}", consistency(&symbol).order);
-    println!("stable to  {} ({})", limit.exact().expect("the limit is 1"), limit.evidence().name());
-    assert_eq!(limit.value(), 1.0);
-    assert_eq!(consistency(&symbol).order, Some(2));
+fn main() -> Result<(), SchemeError> {
+    let fromm = Step::from_text(FROMM)?;
+    let one_step = fromm.one_step("C").expect("the scheme is explicit");
+    let order = consistency(&fromm, "C").and_then(|found| found.order);
+    let stable = fromm.stable_set("C", &SearchPlan::default())?;
+    let monotone = fromm.monotone_set("C", &SearchPlan::default())?.expect("it is explicit");
+    let limit = stable.limit();
+    println!("{}", one_step.to_text());
+    println!("order          {}", order.expect("a constant is kept"));
+    println!("stable up to   {} ({})", limit.value(), limit.evidence().name());
+    println!("monotone up to {}", monotone.limit().value());
+    println!("C = 1.01 is {}", if stable.contains(&ratio(101, 100)) { "stable" } else { "not" });
+    assert_eq!((limit.value(), order), (1.0, Some(2)));
+    Ok(())
 }

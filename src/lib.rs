@@ -3,10 +3,9 @@
 //! This facade gathers the crates of the workspace under one name; `ARCHITECTURE.md` says what lives where.
 //!
 //! ```
-//! use courant::analysis::{kernel::Kernel, stability::stability_limit, exact::rational::integer};
-//! use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-//! let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2))?;
-//! assert_eq!(stability_limit(&scheme.symbol(), &integer(10)).exact().unwrap().to_string(), "15/8");
+//! use courant::analysis::scheme::Step;
+//! let upwind = Step::from_text("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])")?;
+//! assert_eq!(upwind.limit("C")?.exact().unwrap().to_string(), "1");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -104,3 +104,43 @@ fn a_work_budget_spent_is_said() {
     }
     assert!(undecided > 5, "{undecided}: the budget has no effect");
 }
+
+#[test]
+fn the_lagrangian_system_falls_apart_into_sounds_of_either_direction() {
+    let ratio = Rational::new(3.into(), 2.into());
+    let of = |name: &str| {
+        let scheme = catalogue::scheme(name).unwrap();
+        scheme.with_kernel(Kernel::CubicSpline, &ratio).unwrap()
+    };
+    let one_step = of("godunov-sph").one_step("C").unwrap();
+    let system = of("lagrangian-sound").compile().unwrap();
+    for phase in [0.3, 1.1, 2.0, 3.0] {
+        let mut found = system.multipliers(&[1.25], phase);
+        found.sort_by(|a, b| a.im.total_cmp(&b.im));
+        let wanted = one_step.gain(1.25, phase);
+        assert_eq!((found.len(), wanted.im < 0.0), (2, true));
+        for (found, wanted) in found.iter().zip([wanted, wanted.conj()]) {
+            assert!((found - wanted).norm() < 1e-12, "{phase}: {found} {wanted}");
+        }
+    }
+}
+
+#[test]
+fn a_contact_viscosity_above_the_sound_speed_takes_over() {
+    use courant_analysis::exact::rational::{parse, ratio};
+    let lattice = KernelLattice::new(Kernel::CubicSpline, &ratio(2, 1)).unwrap();
+    let of = |viscosity: &str| {
+        let values = [("viscosity".to_string(), parse(viscosity).unwrap())];
+        let contact = catalogue::scheme("lagrangian-contact").unwrap();
+        contact.step(Some(&lattice), None, &values, Some("C")).unwrap()
+    };
+    for (viscosity, stable) in [("1/2", false), ("1", false), ("2", true)] {
+        // Sound is stable up to 15/8.
+        assert_eq!(of(viscosity).limit("C").unwrap().upper() < 1.875, stable, "{viscosity}");
+    }
+    // Positive while 2 C viscosity Σ w ≤ 1, with 2 Σ w = 5/8.
+    let monotone = of("2").monotone_set("C", &SearchPlan::default()).unwrap();
+    assert_eq!(monotone.unwrap().limit().exact().unwrap().to_string(), "4/5");
+    // Without viscosity the contact is kept at any step.
+    assert!(of("0").free_parameters().is_empty());
+}

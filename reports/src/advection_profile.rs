@@ -184,8 +184,7 @@ mod tests {
     use super::*;
     use courant_analysis::exact::rational::integer;
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::scheme::AdvectionScheme;
-    use courant_simulation::advection::{Method, Scene, run};
+    use courant_simulation::advection::{AdvectionScheme, Method, Scene, run};
 
     fn plan(scheme: AdvectionScheme, courant_number: f64, periods: f64) -> RunPlan {
         let kernel = Kernel::CubicSpline;

@@ -2,13 +2,10 @@
 
 use crate::number::finite;
 use courant_analysis::exact::rational::{Rational, from_f64, integer, to_f64, to_text};
-use courant_analysis::scheme::{Discretisation, Scheme, search_range};
-use courant_analysis::stability::{stability_limit, stable_set};
 use courant_simulation::advection::{
-    Fault, ModeRow, PathKind, Validation, ValidationError, ValidationPlan, validate,
+    Discretisation, Fault, ModeRow, PathKind, Validation, ValidationError, ValidationPlan, validate,
 };
 use num_complex::Complex64;
-use num_traits::Zero;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -67,8 +64,9 @@ pub struct ValidationCase {
 impl ValidationCase {
     /// A case at a Courant number asked for.
     pub fn at(discretisation: Discretisation, courant: &Rational, settings: Settings) -> Self {
-        let range = search_range(discretisation.ratio()).max(courant * integer(2));
-        let set = stable_set(&discretisation.symbol(), &Rational::zero(), &range);
+        let plan = discretisation.plan();
+        let range = plan.max.clone().max(courant * integer(2));
+        let set = discretisation.stable_set_by(&plan.up_to(range));
         let regime = if set.limit().value() == to_f64(courant) {
             Regime::Neutral
         } else if set.contains(courant) {
@@ -82,9 +80,7 @@ impl ValidationCase {
     /// Three cases: at half the stability limit, at the limit, and at one and a half times the limit.
     /// Where there is no stable Courant number, all three (at 1/2, 1 and 3/2) are unstable.
     pub fn about_the_limit(discretisation: &Discretisation, settings: Settings) -> Vec<Self> {
-        let limit =
-            stability_limit(&discretisation.symbol(), &search_range(discretisation.ratio()))
-                .value();
+        let limit = discretisation.stable_set().limit().value();
         // No neighbour counts where there is no end to the stable numbers: every number is neutral.
         let (limit, regimes) = if limit == 0.0 {
             (1.0, [Regime::Unstable; 3])
@@ -306,7 +302,7 @@ mod tests {
     use super::*;
     use courant_analysis::exact::rational::ratio;
     use courant_analysis::kernel::Kernel;
-    use courant_analysis::scheme::AdvectionScheme;
+    use courant_simulation::advection::AdvectionScheme;
 
     fn discretisation(scheme: AdvectionScheme) -> Discretisation {
         Discretisation::new(scheme, Kernel::CubicSpline, integer(2)).unwrap()

@@ -7,11 +7,11 @@ use crate::figure::{
 use crate::npy;
 use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
-use courant_analysis::stability::{Evidence, monotonicity_limit, stable_set};
+use courant_analysis::scheme::SchemeError;
+use courant_analysis::stability::Evidence;
 use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, gain_map};
+use courant_simulation::advection::{AdvectionScheme, Discretisation};
 use ndarray::Array2;
-use num_traits::Zero;
 use rayon::prelude::*;
 
 /// Phases looked at before refinement.
@@ -66,18 +66,22 @@ pub struct StabilityMap {
 /// When a ratio is out of range or the callback stops the sweep.
 pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityMap, SweepError> {
     let courant_numbers: Vec<f64> = plan.courant_numbers.iter().map(to_f64).collect();
-    let gains =
-        gain_map(plan.scheme, plan.kernel, &plan.ratios, &courant_numbers, PHASES, progress)?;
+    let of = |l: &Rational| -> Result<Discretisation, SchemeError> {
+        Ok(Discretisation::new(plan.scheme, plan.kernel, l.clone())?)
+    };
+    let margin = |l: &Rational| Ok(of(l)?.margin());
+    let gains = gain_map(margin, &plan.ratios, &courant_numbers, PHASES, progress)?;
     let budget = ratio(DRAWN_GROWTH.0, DRAWN_GROWTH.1);
     let limits: Result<Vec<_>, SweepError> = plan
         .ratios
         .par_iter()
         .map(|l| {
-            let symbol = Discretisation::new(plan.scheme, plan.kernel, l.clone())?.symbol();
-            let range = search_range(l);
-            let at = |growth: &Rational| stable_set(&symbol, growth, &range).limit();
-            let (strict, within) = (at(&Rational::zero()), at(&budget).value());
-            let monotonicity = monotonicity_limit(&symbol, &range).value();
+            let of = of(l)?;
+            let (strict, monotonicity) = (of.stable_set().limit(), of.monotone_set().limit());
+            let (within, monotonicity) = (
+                of.stable_set_by(&of.plan().growing(budget.clone())).limit().value(),
+                monotonicity.value(),
+            );
             let curves = [strict.value(), within, monotonicity].map(|limit| (to_f64(l), limit));
             Ok((strict.evidence(), curves))
         })

@@ -4,8 +4,10 @@
 //! and the memory traffic (bytes read and written once, without what a write first reads) are printed, so
 //! that the number can be set against the machine's arithmetic and memory.
 
-use courant_analysis::{kernel::Kernel, scheme::AdvectionScheme};
-use courant_simulation::advection::{LatticePath, Method, ParticlePath, Ring, Stepper};
+use courant_analysis::kernel::Kernel;
+use courant_simulation::advection::{
+    AdvectionScheme, LatticePath, Method, ParticlePath, Ring, Stepper,
+};
 use criterion::{BenchmarkId, Criterion, Throughput};
 
 const RATIOS: [f64; 2] = [2.0, 5.0];

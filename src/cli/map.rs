@@ -11,11 +11,11 @@ use super::{Failure, Outcome, dispersion};
 use clap::Args;
 use courant::analysis::exact::rational::ratio;
 use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::AdvectionScheme;
 use courant::reports::figure::Figure;
 use courant::reports::plane_map::PlaneAxis;
 use courant::reports::publish::OutputDirectory;
 use courant::reports::stability_map::{MapPlan, stability_map};
+use courant::simulation::advection::AdvectionScheme;
 use std::path::PathBuf;
 
 /// Points of one map at most.

@@ -1,7 +1,8 @@
 //! Names of kernels and schemes, with a suggestion when one is misspelt.
 
 use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::{AdvectionScheme, Integrator, catalogue};
+use courant::analysis::scheme::{Integrator, catalogue};
+use courant::simulation::advection::AdvectionScheme;
 use std::sync::Arc;
 
 /// A kernel by name or alias.

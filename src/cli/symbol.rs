@@ -7,9 +7,7 @@ use super::{Failure, Outcome};
 use clap::Args;
 use courant::analysis::exact::laurent::{Laurent, Variable};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
-use courant::analysis::scheme::{
-    AdvectionScheme, Discretisation, LetterKind, OneStep, Scheme, Step,
-};
+use courant::analysis::scheme::{LetterKind, OneStep, Step};
 use courant::analysis::waves::consistency::{Consistency, consistency};
 use courant::reports::number::significant;
 use courant::reports::record::{CoefficientRecord, OrderRecord, SymbolRecord};
@@ -93,7 +91,10 @@ fn answer(subject: Subject) -> Result<Answer, Failure> {
     let low = leading.range(Variable::axis(0)).map_or(0, |(low, _)| low);
     let characteristic = chi.shifted(Variable::axis(0), -low).coefficients(Variable::TIME);
     let one_step = parameter.as_ref().and_then(|name| step.one_step(name));
-    let consistency = discretisation(&subject).map(|one| consistency(&one.symbol()));
+    // Orders are compared with one exact step, which the catalogue states: here that of advection.
+    let exact = subject.file.exact.as_deref();
+    let advected = parameter.as_ref().filter(|name| exact == Some(&format!("-I*{name}*phi")));
+    let consistency = advected.and_then(|name| consistency(&step, name));
     let keeps_constants = step.keeps_constants().map_err(failed)?;
     Ok(Answer { subject, step, parameter, one_step, consistency, characteristic, keeps_constants })
 }
@@ -314,10 +315,4 @@ fn text(answer: &Answer, format: Format) -> String {
         text.push_str(&paragraphs(&assumptions(std::iter::once(&answer.subject))));
     }
     text
-}
-
-fn discretisation(subject: &Subject) -> Option<Discretisation> {
-    let scheme: AdvectionScheme = subject.file.name.parse().ok()?;
-    let (kernel, ratio) = subject.kernel.clone()?;
-    Discretisation::new(scheme, kernel, ratio).ok()
 }

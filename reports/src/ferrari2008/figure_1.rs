@@ -9,8 +9,8 @@ use crate::stability_map::{
 };
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::AdvectionScheme;
 use courant_analysis::waves::sweep::Progress;
+use courant_simulation::advection::AdvectionScheme;
 use std::ops::ControlFlow;
 
 const KERNELS: [Kernel; 2] = [Kernel::CubicSpline, Kernel::Gaussian];

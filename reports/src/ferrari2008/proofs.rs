@@ -9,10 +9,10 @@ use crate::page::{Item, Publish, Section};
 use crate::table::{Align, Table};
 use courant_analysis::exact::rational::{Rational, parse, ratio, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::symbol::EnclosedSymbol;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme, search_range};
-use courant_analysis::stability::{AccuracyRow, accuracy_study, stability_limit, stable_set};
-use num_traits::Zero;
+use courant_analysis::stability::{
+    AccuracyRow, accuracy_study, phase_grid, sampled_stability_limit,
+};
+use courant_simulation::advection::{AdvectionScheme, Discretisation};
 use std::time::Instant;
 
 /// Errors below the rounding of an `f64` are drawn here.
@@ -21,9 +21,9 @@ const ERROR_FLOOR: f64 = 1e-17;
 /// Longer equations are described, not printed.
 const LONGEST_EQUATION: usize = 180;
 
-fn symbol(scheme: AdvectionScheme, kernel: Kernel, l: &Rational) -> EnclosedSymbol {
+fn scheme(scheme: AdvectionScheme, kernel: Kernel, l: &Rational) -> Discretisation {
     let discretisation = Discretisation::new(scheme, kernel, l.clone());
-    discretisation.expect("the ratios of the report are within range").symbol()
+    discretisation.expect("the ratios of the report are within range")
 }
 
 /// Speed against error of the limits, and the table of hard cases.
@@ -51,16 +51,14 @@ fn cost_figure(detail: Detail) -> Result<Item, ReportError> {
     ];
     let mut figure = Figure::grid(1, 2).size(7.2, 3.4);
     let mut csv = String::from("scheme,ratio,method,size,relative_error,seconds\n");
-    for (scheme, l, title) in cases {
-        let rows = accuracy_study(
-            &symbol(scheme, Kernel::CubicSpline, &l),
-            &search_range(&l),
-            repetitions,
-        );
+    for (name, l, title) in cases {
+        let of = scheme(name, Kernel::CubicSpline, &l);
+        let rows = accuracy_study(&of.step(), "C", &of.plan().max, repetitions)
+            .expect("only the Courant number is free");
         for row in &rows {
             csv.push_str(&format!(
                 "{},{},{},{},{},{}\n",
-                scheme.name(),
+                name,
                 to_text(&l),
                 row.method.name(),
                 row.method.size(),
@@ -123,31 +121,26 @@ fn cost_table(detail: Detail) -> Item {
             ("their error", Align::Right),
         ],
     );
-    for scheme in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
+    for name in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
         for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
             for text in ratios {
                 let l = parse(text).expect("the list holds decimals");
-                let symbol = symbol(scheme, kernel, &l);
+                let of = scheme(name, kernel, &l);
                 let start = Instant::now();
-                let set = stable_set(&symbol, &Rational::zero(), &search_range(&l));
+                let set = of.stable_set();
                 let proof = start.elapsed();
                 let limit = set.limit();
                 let (sampling, error) = if limit.is_positive() {
-                    let phases =
-                        courant_analysis::stability::phase_grid(std::f64::consts::PI / 1024.0);
+                    let phases = phase_grid(std::f64::consts::PI / 1024.0);
                     let start = Instant::now();
-                    let sampled = courant_analysis::stability::sampled_stability_limit(
-                        &symbol,
-                        &phases,
-                        &search_range(&l),
-                    );
+                    let sampled = sampled_stability_limit(&of.margin(), &phases, &of.plan().max);
                     let error = (sampled.value() / limit.value() - 1.0).abs();
                     (significant(1e3 * start.elapsed().as_secs_f64(), 2), significant(error, 2))
                 } else {
                     ("–".into(), "no positive limit".into())
                 };
                 table.push([
-                    scheme.name().to_string(),
+                    name.to_string(),
                     kernel.name().into(),
                     (*text).into(),
                     limit.decimal(10).unwrap_or_default(),
@@ -175,8 +168,8 @@ fn roots() -> Item {
     );
     for text in ["1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.8", "2", "2.5", "3"] {
         let l = parse(text).expect("the list holds decimals");
-        let symbol = symbol(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &l);
-        let limit = stability_limit(&symbol, &search_range(&l));
+        let of = scheme(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &l);
+        let limit = of.stable_set().limit();
         let (degree, equation) = match (limit.exact(), limit.equation()) {
             (Some(exact), _) => (String::new(), exact.to_string()),
             (None, Some(root)) => {

@@ -5,14 +5,10 @@ use crate::record::exact_latex;
 use crate::table::{Align, Cell, Table};
 use courant_analysis::exact::rational::{Rational, integer, parse, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::symbol::EnclosedSymbol;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 use courant_analysis::stability::margin::Margin;
-use courant_analysis::stability::{
-    ExactValue, Limit, monotonicity_limit, phase_grid, sampled_stability_limit, stability_limit,
-};
+use courant_analysis::stability::{ExactValue, Limit, phase_grid, sampled_stability_limit};
 use courant_analysis::waves::growth::PhaseTable;
-use num_traits::Zero;
+use courant_simulation::advection::{AdvectionScheme, Discretisation};
 
 /// The phases the paper must have used, in radians: every value of its stability rows follows from this
 /// step, and none from 28 or 33 equal cells (which its text does not say).
@@ -79,8 +75,8 @@ pub fn published_values() -> Vec<PublishedValue> {
 
 /// The smallest multiple of 0.05 that is not below the limit seen by a set of phases: how the printed
 /// stability limits come about.
-pub fn recipe(symbol: &EnclosedSymbol, phases: &[f64]) -> f64 {
-    let sampled = sampled_stability_limit(symbol, phases, &integer(RANGE)).value();
+pub fn recipe(margin: &Margin, phases: &[f64]) -> f64 {
+    let sampled = sampled_stability_limit(margin, phases, &integer(RANGE)).value();
     // A limit that is a multiple itself must not be pushed up by its rounding.
     ((sampled / COURANT_STEP * (1.0 - 1e-12)).ceil()) * COURANT_STEP
 }
@@ -116,21 +112,20 @@ impl Table1 {
             let discretisation =
                 Discretisation::new(scheme, published.kernel, published.ratio.clone())
                     .expect("the printed ratios are within range");
-            let symbol = discretisation.symbol();
+            let margin = discretisation.margin();
             let printed = to_f64(&published.courant);
             let stability = published.kind == LimitKind::Stability;
             let limit = if stability {
-                stability_limit(&symbol, &integer(RANGE))
+                discretisation.stable_set().limit()
             } else {
-                monotonicity_limit(&symbol, &integer(RANGE))
+                discretisation.monotone_set().limit()
             };
             let growth = || {
-                let margin = Margin::new(&symbol, &Rational::zero()).compile();
-                PhaseTable::new(margin, 1000).extrema(printed, &mut Vec::new()).0.growth
+                PhaseTable::new(margin.compile(), 1000).extrema(printed, &mut Vec::new()).0.growth
             };
             Entry {
                 difference_percent: 100.0 * (printed / limit.value() - 1.0),
-                recipe: stability.then(|| recipe(&symbol, &phases)),
+                recipe: stability.then(|| recipe(&margin, &phases)),
                 growth_at_published: stability.then(growth),
                 limit,
                 published,
@@ -323,10 +318,10 @@ mod tests {
             published_values().iter().filter(|value| value.kind == LimitKind::Stability).all(
                 |value| {
                     let scheme = AdvectionScheme::GodunovSph;
-                    let symbol = Discretisation::new(scheme, value.kernel, value.ratio.clone())
+                    let margin = Discretisation::new(scheme, value.kernel, value.ratio.clone())
                         .unwrap()
-                        .symbol();
-                    (recipe(&symbol, &phases) - to_f64(&value.courant)).abs() < 1e-9
+                        .margin();
+                    (recipe(&margin, &phases) - to_f64(&value.courant)).abs() < 1e-9
                 },
             )
         };

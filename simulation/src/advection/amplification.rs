@@ -5,9 +5,9 @@ use super::method::{Method, MethodError};
 use super::modes::RingModes;
 use super::random::SplitMix64;
 use super::ring::{Ring, RingError};
+use super::scheme::Discretisation;
 use super::stepper::{PathKind, Stepper};
-use courant_analysis::scheme::symbol::Symbol;
-use courant_analysis::scheme::{Discretisation, Scheme};
+use courant_analysis::exact::stencil::Stencil;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -122,14 +122,13 @@ pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) 
     sums.into_iter().map(|sum| sum / steps as f64).collect()
 }
 
-/// Sets what a stepper does beside what a symbol says.
+/// Sets what a stepper does beside what its coefficients say.
 ///
 /// # Panics
 /// When there are no steps.
 pub fn compare_with_prediction(
     stepper: &mut (impl Stepper + ?Sized),
-    symbol: &Symbol<f64>,
-    courant_number: f64,
+    stencil: &Stencil<f64>,
     steps: u64,
 ) -> Validation {
     let measured = measure_amplification(stepper, steps);
@@ -140,13 +139,13 @@ pub fn compare_with_prediction(
         .enumerate()
         .map(|(mode, measured)| {
             let phase = modes.phase(mode);
-            let predicted = symbol.amplification(courant_number, phase);
+            let predicted = stencil.at_phase(phase);
             let error = (measured - predicted).norm();
             ModeRow { mode, phase, predicted, measured, error }
         })
         .collect();
     let max_error = largest(rows.iter().map(|row| row.error));
-    let tolerance = tolerance(symbol, courant_number, particles);
+    let tolerance = tolerance(stencil, particles);
     Validation { rows, steps, max_error, tolerance }
 }
 
@@ -160,16 +159,10 @@ pub(super) fn largest(errors: impl Iterator<Item = f64>) -> f64 {
     )
 }
 
-fn tolerance(symbol: &Symbol<f64>, courant_number: f64, particles: usize) -> f64 {
-    let (low, high) = symbol.reach().unwrap_or((0, 0));
+fn tolerance(stencil: &Stencil<f64>, particles: usize) -> f64 {
+    let (low, high) = stencil.reach().unwrap_or((0, 0));
     let reach = low.abs().max(high) as f64;
-    let moduli: f64 = (low..=high)
-        .map(|offset| {
-            let powers = symbol.coefficient(offset);
-            let powers = powers.coefficients().iter().rev();
-            powers.fold(0.0, |sum, power| sum * courant_number + power).abs()
-        })
-        .sum();
+    let moduli: f64 = stencil.terms().map(|(_, value)| value.abs()).sum();
     TOLERANCE_FACTOR * f64::EPSILON * ((particles as f64).sqrt() + reach) * moduli.max(1.0)
 }
 
@@ -179,8 +172,9 @@ fn tolerance(symbol: &Symbol<f64>, courant_number: f64, particles: usize) -> f64
 ///
 /// ```
 /// use courant_analysis::{kernel::Kernel, exact::rational::ratio};
-/// use courant_analysis::scheme::{AdvectionScheme, Discretisation};
-/// use courant_simulation::advection::{validate, PathKind, ValidationPlan};
+/// use courant_simulation::advection::{
+///     AdvectionScheme, Discretisation, PathKind, ValidationPlan, validate,
+/// };
 /// let plan = ValidationPlan {
 ///     discretisation: Discretisation::new(
 ///         AdvectionScheme::LaxWendroffSph, Kernel::QuinticSpline, ratio(13, 10)).unwrap(),
@@ -204,10 +198,9 @@ pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
     }
     let ring = Ring::uniform(plan.particles, plan.particles as f64)?;
     let stepper = plan.path.on_uniform(method, &ring);
-    let symbol = plan.discretisation.symbol().center().compile();
-    let compare = |mut stepper: Box<dyn Stepper>| {
-        compare_with_prediction(&mut stepper, &symbol, plan.courant_number, plan.steps)
-    };
+    let stencil = plan.discretisation.stencil(plan.courant_number);
+    let compare =
+        |mut stepper: Box<dyn Stepper>| compare_with_prediction(&mut stepper, &stencil, plan.steps);
     Ok(match plan.fault {
         None => compare(stepper),
         Some(fault) => compare(Box::new(Faulty::new(stepper, fault))),

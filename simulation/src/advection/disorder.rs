@@ -3,8 +3,8 @@
 use super::method::Method;
 use super::particle_path::ParticlePath;
 use super::ring::{Ring, RingError};
+use super::scheme::Discretisation;
 use super::stepper::Stepper;
-use courant_analysis::scheme::{Discretisation, Scheme};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -75,7 +75,7 @@ pub fn gain_against_disorder(
 ) -> Result<DisorderStudy, RingError> {
     assert!(sets > 0, "a mean needs at least one set of positions");
     let method = Method::of(discretisation, courant_number);
-    let symbol = discretisation.symbol().center().compile();
+    let stencil = discretisation.stencil(courant_number);
     let mut study = DisorderStudy { modes: Vec::new(), growth: Vec::new() };
     for &disorder in disorders {
         let rings = (0..sets)
@@ -98,7 +98,7 @@ pub fn gain_against_disorder(
                 disorder,
                 mode,
                 phase,
-                lattice: symbol.amplification(courant_number, phase),
+                lattice: stencil.at_phase(phase),
                 mean,
                 spread: spread.sqrt(),
                 scattered: scattered.sqrt(),

@@ -1,8 +1,8 @@
 //! The fast path: on a uniform lattice every particle has the same neighbours at the same distances.
 
 use super::method::Method;
+use super::scheme::AdvectionScheme;
 use super::stepper::Stepper;
-use courant_analysis::scheme::AdvectionScheme;
 use rayon::prelude::*;
 
 /// Rings below this size are stepped on one thread: a step is shorter than handing it out.
@@ -31,8 +31,8 @@ impl LatticeCoefficients {
     /// rounding of the ratio and of one division, and a product with the support one more.
     ///
     /// ```
-    /// use courant_analysis::{kernel::Kernel, scheme::AdvectionScheme};
-    /// use courant_simulation::advection::{LatticeCoefficients, Method};
+    /// use courant_analysis::kernel::Kernel;
+    /// use courant_simulation::advection::{AdvectionScheme, LatticeCoefficients, Method};
     /// let upwind = LatticeCoefficients::new(Method {
     ///     scheme: AdvectionScheme::GodunovSph, kernel: Kernel::CubicSpline, ratio: 1.0, courant_number: 0.25,
     /// });

@@ -4,9 +4,9 @@ use super::growth::{Growth, GrowthPlan, GrowthVerdict, measure_growth, seed_with
 use super::lattice_path::LatticePath;
 use super::method::Method;
 use super::modes::RingModes;
+use super::scheme::Discretisation;
 use courant_analysis::exact::rational::Rational;
-use courant_analysis::scheme::{Discretisation, Scheme};
-use courant_analysis::stability::{Limit, sampled_stability_limit, stability_limit};
+use courant_analysis::stability::{Limit, SearchPlan, sampled_stability_limit};
 
 /// The seed of the noise that runs start from.
 const SEED: u64 = 20_080_101;
@@ -94,7 +94,7 @@ pub fn measured_stability_limit(
 pub struct LimitComparison {
     /// The limit of the infinite lattice.
     pub proved: Limit,
-    /// The limit of the symbol at the ring's phases `2πm/N`.
+    /// The limit of the gain at the ring's phases `2πm/N`.
     pub ring: f64,
     /// The limit of the runs on the ring.
     pub measured: MeasuredLimit,
@@ -102,7 +102,7 @@ pub struct LimitComparison {
     pub particles: usize,
 }
 
-/// Bisects by runs about the limit that the symbol has on a ring, and sets both beside the proved limit.
+/// Bisects by runs about the limit that the gain has on a ring, and sets both beside the proved limit.
 ///
 /// # Errors
 /// When the runs 2 % below and above the ring's limit do not differ. A ring limit of 0 is approached from
@@ -114,18 +114,18 @@ pub fn compare_limits(
     resolution: f64,
     plan: &GrowthPlan,
 ) -> Result<LimitComparison, NoBracket> {
-    let symbol = discretisation.symbol();
-    let proved = stability_limit(&symbol, max_courant);
+    let plan_of_proof = SearchPlan::default().up_to(max_courant.clone());
+    let proved = discretisation.stable_set_by(&plan_of_proof).limit();
     let modes = RingModes::new(particles);
     let phases: Vec<f64> = (0..modes.count()).map(|mode| modes.phase(mode)).collect();
-    let ring = sampled_stability_limit(&symbol, &phases, max_courant).value();
+    let ring = sampled_stability_limit(&discretisation.margin(), &phases, max_courant).value();
     let end = courant_analysis::exact::rational::to_f64(max_courant);
     let bracket = if ring > 0.0 { (0.98 * ring, (1.02 * ring).min(end)) } else { (0.0, end) };
     let measured = measured_stability_limit(discretisation, particles, bracket, resolution, plan)?;
     Ok(LimitComparison { proved, ring, measured, particles })
 }
 
-/// A long noise run at one Courant number, with the growth that the symbol predicts for the ring.
+/// A long noise run at one Courant number, with the growth that the gain predicts for the ring.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LongRun {
     /// The Courant number.
@@ -149,9 +149,9 @@ pub fn long_run(
     particles: usize,
     plan: &GrowthPlan,
 ) -> LongRun {
-    let symbol = discretisation.symbol().center().compile();
+    let stencil = discretisation.stencil(courant_number);
     let modes = RingModes::new(particles);
-    let gain = |mode| symbol.amplification(courant_number, modes.phase(mode)).norm();
+    let gain = |mode| stencil.at_phase(modes.phase(mode)).norm();
     // The mean has gain 1 but for rounding where the scheme keeps constants, and leads only if it grows.
     let start = if gain(0) > 1.0 + 1e-12 || modes.count() == 1 { 0 } else { 1 };
     let (fastest_mode, predicted_gain) = (start..modes.count())

@@ -1,9 +1,9 @@
 //! What is stepped: scheme, kernel, smoothing ratio and Courant number.
 
+use super::scheme::{AdvectionScheme, Discretisation};
 use courant_analysis::exact::rational::to_f64;
 use courant_analysis::kernel::Kernel;
 use courant_analysis::kernel::lattice::MAX_RATIO;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation};
 
 /// A scheme with all its numbers, `Δξ` being the (mean) spacing.
 #[derive(Debug, Clone, Copy, PartialEq)]

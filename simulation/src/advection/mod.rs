@@ -24,6 +24,7 @@ mod random;
 mod ring;
 mod run;
 mod scene;
+mod scheme;
 mod stepper;
 
 pub use amplification::{
@@ -51,6 +52,7 @@ pub use random::SplitMix64;
 pub use ring::{Ring, RingError};
 pub use run::{AdvectionRun, Layout, Outcome, PlanError, RunPlan, run, run_with};
 pub use scene::{Harmonic, Scene, UnknownScene};
+pub use scheme::{AdvectionScheme, Discretisation, UnknownScheme};
 pub use stepper::{PathKind, Stepper};
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 use super::method::Method;
 use super::neighbours::Neighbours;
 use super::ring::Ring;
+use super::scheme::AdvectionScheme;
 use super::stepper::Stepper;
-use courant_analysis::scheme::AdvectionScheme;
 use rayon::prelude::*;
 
 /// Rings below this size are stepped on one thread: a step is shorter than handing it out.

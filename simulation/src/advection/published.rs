@@ -3,12 +3,12 @@
 use super::amplification::fit_mode;
 use super::lattice_path::LatticePath;
 use super::method::Method;
-use courant_analysis::scheme::symbol::Symbol;
-use courant_analysis::scheme::{Discretisation, Scheme};
+use super::scheme::Discretisation;
+use courant_analysis::exact::stencil::Stencil;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Phases looked at for each oscillation of the fastest-growing part of the symbol.
+/// Phases looked at for each oscillation of the fastest-growing part of the gain.
 const SAMPLES_PER_OFFSET: usize = 256;
 
 /// The fastest-growing wave at one Courant number, predicted and run.
@@ -49,9 +49,9 @@ pub fn growth_at(
     sizes: RangeInclusive<usize>,
     steps: u64,
 ) -> CriticalGrowth {
-    let symbol = discretisation.symbol().center().compile();
-    let gain = |phase: f64| symbol.amplification(courant_number, phase).norm();
-    let (critical_phase, largest_gain) = largest_gain(&symbol, courant_number);
+    let stencil = discretisation.stencil(courant_number);
+    let gain = |phase: f64| stencil.at_phase(phase).norm();
+    let (critical_phase, largest_gain) = largest_gain(&stencil);
     let mut best: Option<(usize, usize, f64)> = None;
     for particles in sizes.filter(|&particles| particles >= 2) {
         let nearest = critical_phase / (2.0 * PI) * particles as f64;
@@ -87,12 +87,12 @@ fn ring_phase(particles: usize, mode: usize) -> f64 {
 }
 
 /// The phase with the largest gain, `φ = 0` left out, and that gain: the best of a grid that resolves
-/// every oscillation of the symbol, refined by golden section.
-fn largest_gain(symbol: &Symbol<f64>, courant_number: f64) -> (f64, f64) {
-    let (low, high) = symbol.reach().unwrap_or((0, 0));
+/// every oscillation of the gain, refined by golden section.
+fn largest_gain(stencil: &Stencil<f64>) -> (f64, f64) {
+    let (low, high) = stencil.reach().unwrap_or((0, 0));
     let samples = SAMPLES_PER_OFFSET * (high - low).max(1) as usize;
     let spacing = PI / samples as f64;
-    let gain = |phase: f64| symbol.amplification(courant_number, phase).norm();
+    let gain = |phase: f64| stencil.at_phase(phase).norm();
     let best = (1..=samples)
         .map(|index| index as f64 * spacing)
         .max_by(|&a, &b| gain(a).total_cmp(&gain(b)))

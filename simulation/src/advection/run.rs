@@ -114,8 +114,8 @@ fn equal_steps(plan: &RunPlan) -> (u64, f64) {
 /// Runs a plan.
 ///
 /// ```
-/// use courant_analysis::{kernel::Kernel, scheme::AdvectionScheme};
-/// use courant_simulation::advection::{run, Layout, Method, RunPlan, Scene};
+/// use courant_analysis::kernel::Kernel;
+/// use courant_simulation::advection::{AdvectionScheme, run, Layout, Method, RunPlan, Scene};
 /// let method = Method {
 ///     scheme: AdvectionScheme::GodunovSph, kernel: Kernel::CubicSpline, ratio: 2.0, courant_number: 1.0,
 /// };

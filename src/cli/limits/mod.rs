@@ -158,10 +158,12 @@ fn discretisation(subject: &Subject) -> Option<Discretisation> {
 fn sampled(subject: &Subject, samples: usize, max: &Rational) -> Result<Limit, Failure> {
     let cells = (samples - 1) as f64;
     let phases: Vec<f64> = (0..samples).map(|i| i as f64 / cells * std::f64::consts::PI).collect();
-    let one = discretisation(subject).ok_or_else(|| {
+    let sought = subject.sought(false)?;
+    let margin = sought.step.gain_margin(&sought.parameter, &Rational::zero()).ok().flatten();
+    let margin = margin.ok_or_else(|| {
         Failure::Message(format!("--samples: {} is no explicit one-step scheme", subject.file.name))
     })?;
-    Ok(sampled_stability_limit(&one.symbol(), &phases, max))
+    Ok(sampled_stability_limit(&margin, &phases, max))
 }
 
 /// Certificates of every limit shown: stability, growth budgets, monotonicity.

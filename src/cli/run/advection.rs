@@ -7,11 +7,11 @@ use crate::cli::{Failure, Outcome, names, numbers};
 use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::{Rational, integer, to_f64};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::AdvectionScheme;
 use courant::reports::advection_profile::{AdvectionRecord, profile_csv, profile_figure};
 use courant::reports::number::significant;
 use courant::reports::publish::OutputDirectory;
 use courant::reports::table::{Align, Table};
+use courant::simulation::advection::AdvectionScheme;
 use courant::simulation::advection::{AdvectionRun, Layout, Method, RunPlan, Scene, run_with};
 use std::time::Instant;
 
@@ -103,7 +103,7 @@ fn methods() -> Vec<Entry> {
         .map(|scheme| Entry {
             name: scheme.name(),
             description: "advection scenes: the scheme stepped over particles",
-            source: scheme.source(),
+            source: &scheme.file().source,
         })
         .collect()
 }

@@ -6,7 +6,7 @@ use crate::cli::progress::Bar;
 use crate::cli::subject::Subject;
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::{to_f64, to_text};
-use courant::analysis::scheme::{AdvectionScheme, Discretisation};
+use courant::simulation::advection::{AdvectionScheme, Discretisation};
 use courant::reports::advection_validation::{
     Settings, ValidatedCase, ValidationCase, ValidationRecord, run_cases,
 };

@@ -12,7 +12,7 @@ use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, integer, ratio};
 use courant::analysis::kernel::Kernel;
-use courant::analysis::scheme::AdvectionScheme;
+use courant::simulation::advection::AdvectionScheme;
 
 #[derive(Debug, Args)]
 pub struct Arguments {

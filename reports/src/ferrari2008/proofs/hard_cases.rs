@@ -2,22 +2,17 @@
 
 use super::super::COMMAND;
 use super::super::table_1::{LimitKind, published_values, recipe};
-use super::symbol;
+use super::scheme;
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
 use courant_analysis::exact::rational::{Rational, integer, parse, ratio, to_f64, to_text};
-use courant_analysis::exact::stencil::Stencil;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::symbol::{EnclosedSymbol, Symbol};
-use courant_analysis::scheme::{AdvectionScheme, KernelLattice, catalogue, search_range};
-use courant_analysis::stability::margin::Margin;
+use courant_analysis::scheme::Step;
 use courant_analysis::stability::verdict::check;
 use courant_analysis::stability::weak_instability::long_wave_behaviour;
-use courant_analysis::stability::{
-    Limit, LimitMethod, SearchPlan, StableSet, growth_limit, stability_limit, stable_set,
-};
-use num_traits::Zero;
+use courant_analysis::stability::{Limit, LimitMethod, SearchPlan, StableSet};
+use courant_simulation::advection::AdvectionScheme;
 
 /// Longer equations are described, not printed.
 const SHORT_EQUATION: usize = 60;
@@ -28,8 +23,8 @@ pub(super) fn table() -> Item {
         "Hard cases of the limits",
         &[("case", Align::Left), ("question", Align::Left), ("answer", Align::Left)],
     );
-    let godunov = |l: &Rational| symbol(AdvectionScheme::GodunovSph, Kernel::CubicSpline, l);
-    let limit_text = |l: &Rational| digits(&stability_limit(&godunov(l), &search_range(l)));
+    let godunov = |l: &Rational| scheme(AdvectionScheme::GodunovSph, Kernel::CubicSpline, l);
+    let limit_text = |l: &Rational| digits(&godunov(l).stable_set().limit());
     let small = ratio(1, 1_000_000_000);
     for (name, edge) in [
         ("a lattice point on the edge of the support", integer(2)),
@@ -52,7 +47,7 @@ pub(super) fn table() -> Item {
         "is the neighbour at exactly q = 3 counted?".into(),
         format!("yes: {neighbours} neighbour on each side"),
     ]);
-    let margin = Margin::new(&godunov(&integer(1)), &Rational::zero()).compile();
+    let margin = godunov(&integer(1)).margin().compile();
     let phase = 1e-9_f64;
     let exact = (0.5 * phase).sin().powi(2);
     table.push([
@@ -60,26 +55,20 @@ pub(super) fn table() -> Item {
         "Godunov, cubic, ratio 1, C = 1/2: relative error of 1 − |g|²".into(),
         significant((margin.at(0.5, phase) / exact - 1.0).abs(), 2),
     ]);
-    let lattice = KernelLattice::new(Kernel::CubicSpline, &integer(1)).expect("a ratio in range");
-    let shift = catalogue::scheme("godunov-sph")
-        .expect("it is in the catalogue")
-        .step(Some(&lattice), None, &[], Some("C"))
-        .and_then(|step| check(&step, "C", &integer(1), &SearchPlan::default()))
-        .expect("the scheme has one parameter");
+    let shift = check(&godunov(&integer(1)).step(), "C", &integer(1), &SearchPlan::default())
+        .expect("only the Courant number is free");
     table.push([
         "exactly neutral".into(),
         "Godunov, cubic, ratio 1, C = 1 is the exact shift".into(),
         format!("{}, growth {}", shift.verdict.name(), shift.growth.per_step),
     ]);
-    let weak = symbol(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, &integer(3));
+    let weak = scheme(AdvectionScheme::LaxWendroffSph, Kernel::Gaussian, &integer(3));
     let budgets: Vec<String> = ["0", "1e-9", "1e-6", "1e-4", "1e-3", "1e-2"]
         .into_iter()
         .map(|growth| {
             let budget = parse(growth).expect("a decimal");
-            format!(
-                "{growth}: {}",
-                significant(growth_limit(&weak, &budget, &integer(30)).value(), 6)
-            )
+            let set = weak.stable_set_by(&weak.plan().growing(budget));
+            format!("{growth}: {}", significant(set.limit().value(), 6))
         })
         .collect();
     table.push([
@@ -87,14 +76,14 @@ pub(super) fn table() -> Item {
         "Lax–Wendroff, cut Gaussian, ratio 3: limit for a growth per step of".into(),
         budgets.join("; "),
     ]);
-    let drifting = symbol(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &ratio(13, 10));
-    let drift = to_f64(&(drifting.mean_gain().evaluate(&integer(1)) - integer(1)));
+    let drifting = scheme(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &ratio(13, 10));
+    let drift = to_f64(&(drifting.one_step().mean_gain().evaluate(&integer(1)) - integer(1)));
     table.push([
         "the mean drifts".into(),
         "Lax–Wendroff, cubic, ratio 1.3, C = 1: change of a constant per step".into(),
         significant(drift, 6),
     ]);
-    let above = Margin::new(&godunov(&integer(2)), &Rational::zero());
+    let above = godunov(&integer(2)).margin();
     if let Some(leading) = long_wave_behaviour(&above) {
         let amplitude = to_f64(&leading.amplitude.evaluate(&ratio(19, 10)));
         table.push([
@@ -103,8 +92,7 @@ pub(super) fn table() -> Item {
             format!("{} φ^{}", significant(amplitude, 6), leading.power),
         ]);
     }
-    let wide = integer(50);
-    let set = stable_set(&godunov(&wide), &Rational::zero(), &search_range(&wide));
+    let set = godunov(&integer(50)).stable_set();
     table.push([
         "ratio 50".into(),
         "Godunov, cubic: limit, and boxes looked at".into(),
@@ -116,15 +104,16 @@ pub(super) fn table() -> Item {
         format!("Lax–Wendroff, cubic, to {tolerance} bits: limits at ratio 2, 3, 5, 10"),
         [2, 3, 5, 10]
             .map(|l| {
-                let symbol =
-                    symbol(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &integer(l));
-                let limit = stability_limit(&symbol, &search_range(&integer(l)));
+                let of = scheme(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &integer(l));
+                let limit = of.stable_set().limit();
                 limit.exact().map_or_else(|| digits(&limit), ToString::to_string)
             })
             .join(", "),
     ]);
-    for (case, question, symbol) in constructed() {
-        let set = stable_set(&symbol, &Rational::zero(), &integer(10));
+    for (case, question, text) in CONSTRUCTED {
+        let step = Step::from_text(text).expect("a scheme");
+        let plan = SearchPlan::default().up_to(integer(10));
+        let set = step.stable_set("C", &plan).expect("only C is free");
         table.push([case.into(), question.into(), stable_intervals(&set)]);
     }
     let reproduced: Vec<String> = (28..=33)
@@ -134,8 +123,8 @@ pub(super) fn table() -> Item {
                 .collect();
             let printed = published_values().into_iter().filter(|v| v.kind == LimitKind::Stability);
             let same = printed.filter(|value| {
-                let symbol = symbol(AdvectionScheme::GodunovSph, value.kernel, &value.ratio);
-                (recipe(&symbol, &phases) - to_f64(&value.courant)).abs() < 1e-9
+                let of = scheme(AdvectionScheme::GodunovSph, value.kernel, &value.ratio);
+                (recipe(&of.margin(), &phases) - to_f64(&value.courant)).abs() < 1e-9
             });
             format!("{cells}: {}", same.count())
         })
@@ -153,59 +142,39 @@ fn digits(limit: &Limit) -> String {
 }
 
 /// Schemes made to be hard.
-fn constructed() -> [(&'static str, &'static str, EnclosedSymbol); 5] {
-    let backward = Stencil::new(-1, vec![integer(-1), integer(1)]);
-    let second = Stencil::new(-1, vec![integer(1), integer(-2), integer(1)]);
-    let number = |text: &str| Stencil::term(0, parse(text).expect("a decimal"));
-    let upwind = |weights: &[&str]| {
-        (1..).zip(weights).fold(Symbol::identity(), |sum, (power, weight)| {
-            sum - Symbol::courant_power(power, backward.clone() * number(weight))
-        })
-    };
-    // s = (2 − E − E⁻¹)/4 and f = (2s² − 1)² + (C² − 2)².
-    let s = second.clone() * number("-1/4");
-    let square = s.clone() * s;
-    let wave = square.clone() * number("2") - number("1");
-    let touching = Symbol::identity()
-        - Symbol::courant_power(1, (wave.clone() * wave.clone() + number("4")) * number("1/40"))
-        + Symbol::courant_power(3, number("1/10"))
-        - Symbol::courant_power(5, number("1/40"));
-    let interior = Symbol::identity() - Symbol::courant_power(1, number("2") - wave.clone() * wave);
-    let stages = (1..=4).fold((Symbol::identity(), Stencil::term(0, integer(1))), |(sum, z), k| {
-        let z = z * backward.clone() * Stencil::term(0, ratio(-1, k));
-        (sum + Symbol::courant_power(k as usize, z.clone()), z)
-    });
-    let tiny = Symbol::identity() - Symbol::courant_power(1, backward.clone())
-        + Symbol::courant_power(3, second * number("-1e-12"));
-    [
-        (
-            "touching, not crossing",
-            "g = 1 − C ((2s² − 1)² + (C² − 2)²)/40: the wave s = √(1/2) is neutral at C = √2 alone; stable C",
-            touching,
-        ),
-        (
-            "an interior wave and a fraction",
-            "g = 1 − C (2 − (2s² − 1)²): the wave s = √(1/2) binds; stable C",
-            interior,
-        ),
-        (
-            "disconnected stable sets",
-            "g = 1 − a (1 − e^{−iφ}), a = C (C² − 6C + 19/2)/3: stable C up to 10",
-            upwind(&["19/6", "-2", "1/3"]),
-        ),
-        (
-            "a polynomial of degree 8 in C",
-            "upwind differences, four stages of Runge and Kutta: stable C",
-            stages.0,
-        ),
-        (
-            "coefficients of very different size",
-            "the upwind scheme with −10^{−12} C³ of diffusion: stable C up to 10",
-            tiny,
-        ),
-    ]
-    .map(|(case, question, symbol)| (case, question, EnclosedSymbol::exact(symbol)))
-}
+const CONSTRUCTED: [(&str, &str, &str); 5] = [
+    (
+        "touching, not crossing",
+        "g = 1 − C ((2s² − 1)² + (C² − 2)²)/40: the wave s = √(1/2) is neutral at C = √2 alone; stable C",
+        // w = 2 s² − 1 with s = (2 − E − 1/E)/4, taken twice.
+        "s[n,j] = (2*u[n,j] - u[n,j+1] - u[n,j-1])/4; t[n,j] = (2*s[n,j] - s[n,j+1] - s[n,j-1])/2 - u[n,j]; \
+         a[n,j] = (2*t[n,j] - t[n,j+1] - t[n,j-1])/4; b[n,j] = (2*a[n,j] - a[n,j+1] - a[n,j-1])/2 - t[n,j]; \
+         u[n+1,j] = u[n,j] - C/40*(b[n,j] + (C^2 - 2)^2*u[n,j])",
+    ),
+    (
+        "an interior wave and a fraction",
+        "g = 1 − C (2 − (2s² − 1)²): the wave s = √(1/2) binds; stable C",
+        "s[n,j] = (2*u[n,j] - u[n,j+1] - u[n,j-1])/4; t[n,j] = (2*s[n,j] - s[n,j+1] - s[n,j-1])/2 - u[n,j]; \
+         a[n,j] = (2*t[n,j] - t[n,j+1] - t[n,j-1])/4; b[n,j] = (2*a[n,j] - a[n,j+1] - a[n,j-1])/2 - t[n,j]; \
+         u[n+1,j] = u[n,j] - C*(2*u[n,j] - b[n,j])",
+    ),
+    (
+        "disconnected stable sets",
+        "g = 1 − a (1 − e^{−iφ}), a = C (C² − 6C + 19/2)/3: stable C up to 10",
+        "u[n+1,j] = u[n,j] - C*(C^2 - 6*C + 19/2)/3*(u[n,j] - u[n,j-1])",
+    ),
+    (
+        "a polynomial of degree 8 in C",
+        "upwind differences, four stages of Runge and Kutta: stable C",
+        "a[n,j] = -C*(u[n,j] - u[n,j-1]); b[n,j] = -C/2*(a[n,j] - a[n,j-1]); c[n,j] = -C/3*(b[n,j] - b[n,j-1]); \
+         u[n+1,j] = u[n,j] + a[n,j] + b[n,j] + c[n,j] - C/4*(c[n,j] - c[n,j-1])",
+    ),
+    (
+        "coefficients of very different size",
+        "the upwind scheme with −10^{−12} C³ of diffusion: stable C up to 10",
+        "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]) - C^3/10^12*(u[n,j+1] - 2*u[n,j] + u[n,j-1])",
+    ),
+];
 
 /// The intervals, with closed forms or equations where there are any.
 fn stable_intervals(set: &StableSet) -> String {

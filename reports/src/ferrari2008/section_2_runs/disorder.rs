@@ -9,9 +9,7 @@ use crate::number::significant;
 use crate::page::{Item, Section};
 use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{AdvectionScheme, Scheme};
-use courant_analysis::stability::stability_limit;
-use courant_simulation::advection::{DisorderStudy, gain_against_disorder};
+use courant_simulation::advection::{AdvectionScheme, DisorderStudy, gain_against_disorder};
 use rayon::prelude::*;
 use std::fmt::Write;
 
@@ -35,7 +33,7 @@ struct Study {
 fn studies(sets: u64) -> Vec<Study> {
     let plans = SCHEMES.into_iter().flat_map(|scheme| {
         let discretisation = discretisation(scheme, Kernel::CubicSpline, integer(2));
-        let limit = stability_limit(&discretisation.symbol(), &integer(20)).value();
+        let limit = discretisation.stable_set().limit().value();
         let [below, above] = SHARES_OF_LIMIT.map(|share| share * limit);
         [COURANT_NUMBER, below, above].map(|courant| (discretisation.clone(), courant))
     });

@@ -7,8 +7,9 @@ use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::AdvectionScheme;
-use courant_simulation::advection::{AdvectionRun, Layout, Method, RunPlan, Scene, run};
+use courant_simulation::advection::{
+    AdvectionRun, AdvectionScheme, Layout, Method, RunPlan, Scene, run,
+};
 use std::fmt::Write;
 
 const SCHEMES: [(AdvectionScheme, Marker, Color); 2] = [

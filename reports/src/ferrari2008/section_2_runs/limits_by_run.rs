@@ -7,11 +7,10 @@ use crate::page::{Item, Section};
 use crate::table::{Align, Table};
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 use courant_analysis::stability::sampled_stability_limit;
 use courant_simulation::advection::{
-    GrowthPlan, GrowthVerdict, LimitComparison, LongRun, NoBracket, RingModes, compare_limits,
-    long_run,
+    AdvectionScheme, Discretisation, GrowthPlan, GrowthVerdict, LimitComparison, LongRun,
+    NoBracket, RingModes, compare_limits, long_run,
 };
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -208,7 +207,7 @@ fn remarks(runs: &[LongCase]) -> String {
 fn ring_limit(case: &Discretisation) -> f64 {
     let modes = RingModes::new(LONG_PARTICLES);
     let phases: Vec<f64> = (1..modes.count()).map(|mode| modes.phase(mode)).collect();
-    sampled_stability_limit(&case.symbol(), &phases, &integer(20)).value()
+    sampled_stability_limit(&case.margin(), &phases, &integer(20)).value()
 }
 
 fn long_runs_table(runs: &[LongCase], steps: u64) -> Table {

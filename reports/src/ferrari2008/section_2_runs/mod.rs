@@ -12,8 +12,8 @@ use super::{Detail, ReportError};
 use crate::page::{Publish, Section};
 use courant_analysis::exact::rational::Rational;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation};
 use courant_analysis::waves::sweep::{Progress, SweepError};
+use courant_simulation::advection::{AdvectionScheme, Discretisation};
 
 /// The stages of these sections, for the progress bar.
 const STAGES: usize = 6;

@@ -9,7 +9,7 @@ use crate::page::{Item, Section};
 use crate::table::{Align, Table};
 use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::AdvectionScheme;
+use courant_simulation::advection::AdvectionScheme;
 use std::f64::consts::PI;
 use std::fmt::Write;
 

@@ -8,9 +8,9 @@ use crate::page::{Item, Section};
 use crate::table::{Align, Table};
 use courant_analysis::exact::rational::{to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation};
 use courant_simulation::advection::{
-    CriticalGrowth, Method, ParticlePath, Ring, RingModes, Stepper, growth_at,
+    AdvectionScheme, CriticalGrowth, Discretisation, Method, ParticlePath, Ring, RingModes,
+    Stepper, growth_at,
 };
 use rayon::prelude::*;
 use std::fmt::Write;

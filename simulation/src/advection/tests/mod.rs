@@ -6,7 +6,6 @@ mod validation;
 use super::*;
 use courant_analysis::exact::rational::{Rational, parse, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{AdvectionScheme, Discretisation};
 
 fn discretisation(scheme: AdvectionScheme, kernel: Kernel, ratio: &str) -> Discretisation {
     Discretisation::new(scheme, kernel, exact(ratio)).unwrap()

@@ -7,10 +7,9 @@ use crate::ferrari2008::{COMMAND, Detail, ReportError};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::page::{Item, Section};
 use courant_analysis::exact::rational::{integer, ratio};
-use courant_analysis::scheme::{AdvectionScheme, Scheme};
-use courant_analysis::stability::growth_limit;
 use courant_simulation::advection::{
-    CostMeasure, CostRow, Layout, Method, RunPlan, Scene, measure_cost, pareto_front,
+    AdvectionScheme, CostMeasure, CostRow, Layout, Method, RunPlan, Scene, measure_cost,
+    pareto_front,
 };
 use std::fmt::Write;
 
@@ -83,7 +82,10 @@ fn choices(detail: Detail) -> Vec<Choice> {
         for &kernel in kernels(detail) {
             for ratio in [1, 2, 3] {
                 let discretisation = discretisation(scheme, kernel, integer(ratio));
-                let limit = growth_limit(&discretisation.symbol(), &budget, &integer(20)).value();
+                let limit = {
+                    let plan = discretisation.plan().growing(budget.clone());
+                    discretisation.stable_set_by(&plan).limit().value()
+                };
                 let courant_numbers = match scheme {
                     AdvectionScheme::EulerSph => EULER_COURANT_NUMBERS.map(|c| (c, None)),
                     _ => [0.5, 0.95].map(|share| (share * limit, Some(share))),
