@@ -137,7 +137,7 @@ fn density_of(lattice: &KernelLattice) -> Option<Density> {
     let matches = |density: &Density| {
         lattice.kernel.is_some_and(|kernel| {
             crate::kernel::relative_density(kernel, &lattice.ratio, *density)
-                .is_ok_and(|value| value == *lattice.density())
+                .is_ok_and(|value| value == lattice.density())
         })
     };
     [Density::Summation, Density::MassPerSpacing].into_iter().find(matches)

@@ -286,17 +286,16 @@ mod tests {
     use crate::exact::polynomial::Polynomial;
     use crate::exact::rational::{integer, ratio, to_f64};
     use crate::kernel::Kernel;
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
+    use crate::scheme::testing::{SPH, sph};
     use proptest::prelude::*;
 
-    fn margin(scheme: AdvectionScheme, kernel: Kernel, l: Rational) -> Margin {
-        Margin::new(&Discretisation::new(scheme, kernel, l).unwrap().symbol(), &integer(0))
+    fn margin(scheme: &str, kernel: Kernel, l: Rational) -> Margin {
+        sph(scheme, kernel, &l).gain_margin("C", &integer(0)).unwrap().unwrap()
     }
 
     #[test]
     fn the_published_fractions_of_ratio_two_are_sharp() {
-        let form =
-            MarginForm::new(&margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2)));
+        let form = MarginForm::new(&margin("godunov-sph", Kernel::CubicSpline, integer(2)));
         let limit = ratio(15, 8);
         assert_eq!(form.sign(&integer(0), &limit, 1000).0, Sign::NowhereNegative);
         let above = &limit + ratio(1, 1 << 60);
@@ -309,8 +308,7 @@ mod tests {
 
     #[test]
     fn the_exact_shift_is_nowhere_negative() {
-        let form =
-            MarginForm::new(&margin(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1)));
+        let form = MarginForm::new(&margin("godunov-sph", Kernel::CubicSpline, integer(1)));
         let (sign, work) = form.sign(&integer(1), &integer(1), 10);
         assert_eq!((sign, work.boxes), (Sign::NowhereNegative, 1));
     }
@@ -319,7 +317,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(48))]
         #[test]
         fn evaluation_agrees_with_the_cosine_series(numerator in 5i64..40, at in 0i64..=64, t in 0i64..50) {
-            for scheme in AdvectionScheme::ALL {
+            for scheme in SPH {
                 let margin = margin(scheme, Kernel::CubicSpline, ratio(numerator, 10));
                 let form = MarginForm::new(&margin);
                 let (s, t) = (ratio(at, 64), ratio(t, 10));

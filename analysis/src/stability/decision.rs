@@ -116,6 +116,14 @@ impl Step {
     /// # Errors
     /// As [`limit`](Self::limit).
     pub fn stable_set(&self, parameter: &str, plan: &SearchPlan) -> Result<StableSet, SchemeError> {
+        if plan.growth.is_positive() && plan.known.is_zero() {
+            // What does not grow at all does not grow too fast: only the rest is searched.
+            let strict = SearchPlan { growth: Rational::zero(), ..plan.clone() };
+            let strict = self.stable_set(parameter, &strict)?.limit();
+            if strict.is_positive() {
+                return self.stable_set(parameter, &plan.clone().knowing(&strict));
+            }
+        }
         self.stable_set_under(&self.inequalities(parameter, &plan.growth)?, plan)
     }
 

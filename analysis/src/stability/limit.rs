@@ -262,12 +262,11 @@ impl Limit {
     /// that what is printed is not above it. `None` when no limit was met.
     ///
     /// ```
-    /// use courant_analysis::{kernel::Kernel, stability::stability_limit, exact::rational::{integer, ratio}};
-    /// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-    /// let scheme =
-    ///     Discretisation::new(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, ratio(3, 2));
-    /// let limit = stability_limit(&scheme.unwrap().symbol(), &integer(10));
+    /// use courant_analysis::{exact::rational::ratio, kernel::Kernel, scheme::catalogue};
+    /// let scheme = catalogue::scheme("lax-wendroff-sph").unwrap();
+    /// let limit = scheme.with_kernel(Kernel::CubicSpline, &ratio(3, 2))?.limit("C")?;
     /// assert_eq!(limit.decimal(30).unwrap(), "1.43606169335384336927869442224");
+    /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
     /// ```
     pub fn decimal(&self, digits: usize) -> Option<String> {
         if self.upper.is_infinite() {

@@ -96,36 +96,3 @@ proptest! {
         prop_assert!((to_f64(&one_step.mean_gain().evaluate(&integer(1))) - one_step.gain(1.0, 0.0).re).abs() < 1e-12);
     }
 }
-
-// (temporary) old against new
-#[test]
-fn temporary_old_and_new_agree() {
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-    for kernel in Kernel::ALL {
-        for l in [
-            ratio(1, 4),
-            ratio(1, 2),
-            ratio(3, 5),
-            integer(1),
-            ratio(13, 10),
-            ratio(3, 2),
-            integer(2),
-            integer(3),
-            ratio(41, 10),
-        ] {
-            for scheme in AdvectionScheme::ALL {
-                let symbol = Discretisation::new(scheme, kernel, l.clone()).unwrap().symbol();
-                let new = of_catalogue(scheme.name(), kernel, l.clone());
-                let old = crate::stability::enclosed_coefficients(&symbol);
-                assert_eq!(old.len(), new.coefficients.len(), "{scheme} {kernel} {l}");
-                for (a, b) in old.iter().zip(&new.coefficients) {
-                    assert_eq!((a.0, &a.1), (b.0, &b.1), "{scheme} {kernel} {l}");
-                    assert_eq!(a.2, b.2, "{scheme} {kernel} {l} {}", a.0);
-                }
-                assert_eq!(symbol.keeps_constants(), new.keeps_constants);
-                assert_eq!(symbol.to_text(), new.to_text());
-                assert_eq!(symbol.to_latex(), new.to_latex());
-            }
-        }
-    }
-}

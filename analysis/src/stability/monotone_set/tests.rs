@@ -144,31 +144,3 @@ proptest! {
         if positive { prop_assert!(set.contains(&point), "{}", text); }
     }
 }
-
-// (temporary) old against new
-#[test]
-fn temporary_limits_agree() {
-    use crate::scheme::{AdvectionScheme, Discretisation, Scheme};
-    for kernel in Kernel::ALL {
-        for l in [
-            ratio(1, 4),
-            ratio(1, 2),
-            ratio(3, 5),
-            integer(1),
-            ratio(13, 10),
-            ratio(3, 2),
-            integer(2),
-            integer(3),
-            ratio(41, 10),
-        ] {
-            for scheme in AdvectionScheme::ALL {
-                let symbol = Discretisation::new(scheme, kernel, l.clone()).unwrap().symbol();
-                let old = crate::stability::monotonicity_limit(&symbol, &integer(100));
-                let new = sph(scheme.name(), kernel, l.clone()).limit();
-                let shown =
-                    |l: &Limit| format!("{l:?}").replace("unbounded: true", "unbounded: false");
-                assert_eq!(shown(&old), shown(&new), "{scheme} {kernel} {l}");
-            }
-        }
-    }
-}
