@@ -5,15 +5,12 @@ use crate::exact::common_factor::common_square_root;
 use crate::exact::cosine_series::CosineSeries;
 use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::polynomial::{Polynomial, Ring};
-use crate::exact::rational::{Rational, common_denominator, integer, numerator_over};
-use crate::scheme::symbol::EnclosedSymbol;
+use crate::exact::rational::{Rational, common_denominator, numerator_over};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
-use squared_gain::{squared_gain, squared_gain_radius};
 
 mod compiled;
-mod squared_gain;
 
 pub use compiled::{CompiledMargin, growth_from_excess};
 
@@ -51,36 +48,6 @@ pub struct Margin {
 }
 
 impl Margin {
-    /// The margin of a symbol for a permitted growth `ε ≥ 0` per step.
-    pub fn new(symbol: &EnclosedSymbol, growth: &Rational) -> Self {
-        let (mut series, denominator) = squared_gain(symbol);
-        let mut radius = squared_gain_radius(symbol);
-        let powers = radius.len().max(series.len());
-        radius.resize(powers, Rational::zero());
-        series.resize(powers, CosineSeries::new(Vec::new()));
-
-        // (1 + ε)² − |g|² over the common denominator.
-        let budget = (growth + integer(1)) * (growth + integer(1));
-        let denominator_total = &denominator * budget.denom();
-        for (power, values) in series.iter_mut().enumerate() {
-            let mut negated: Vec<BigInt> =
-                values.coefficients().iter().map(|value| -value * budget.denom()).collect();
-            if power == 0 {
-                negated.resize(negated.len().max(1), BigInt::zero());
-                negated[0] += budget.numer() * &denominator;
-            }
-            *values = CosineSeries::new(negated);
-        }
-        let mut margin = Self::whole(series, radius.iter(), denominator_total, growth.clone());
-        margin.take_out_courant_number();
-        if growth.is_zero() && symbol.keeps_constants() {
-            margin.take_out_phase(symbol.span());
-        }
-        margin.take_out_complement();
-        margin.take_out_neutral_waves();
-        margin
-    }
-
     /// A polynomial `Σ_j t^j p_j(φ)` given as such, whose sign is to be decided: the factors that vanish
     /// trivially are taken out as from `(1 + ε)² − |g|²`. Here `C` is `t` or, with stride 2, its root.
     pub(crate) fn of_polynomial(powers: &[EnclosedSeries]) -> Self {

@@ -11,7 +11,6 @@ mod inequality;
 mod limit;
 pub mod margin;
 mod monotone_set;
-mod monotonicity;
 mod multiplicity;
 mod pointwise;
 mod sampled;
@@ -26,19 +25,13 @@ pub use decision::{Demands, SearchPlan, decide_step_at};
 pub use inequality::Inequality;
 pub(crate) use inequality::{even_series, symmetric};
 pub use limit::{Binding, Cause, Evidence, ExactValue, Limit};
-#[cfg(test)]
-pub(crate) use monotonicity::enclosed_coefficients;
-pub use monotonicity::monotonicity_limit;
 pub use multiplicity::{MultipleMultiplier, Multiplicity, multiplicity_at};
 pub use pointwise::{PointVerdict, decide_at};
 pub use sampled::{phase_grid, refined_stability_limit, sampled_stability_limit};
 pub use singular::SingularStep;
 #[cfg(test)]
 pub(crate) use stable_set::stable_set_of;
-pub use stable_set::{
-    DEFAULT_BITS, StableInterval, StableSet, growth_limit, growth_set_beyond, stability_limit,
-    stable_set, stable_set_to,
-};
+pub use stable_set::{DEFAULT_BITS, StableInterval, StableSet};
 pub(crate) use stable_set::{
     FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, phase_of, phase_parameter,
     search_within,

@@ -23,13 +23,14 @@ pub enum PointVerdict {
 /// Decides `|g| ≤ 1 + growth` for all waves at one Courant number.
 ///
 /// ```
+/// use courant_analysis::exact::rational::{integer, ratio};
+/// use courant_analysis::scheme::Step;
 /// use courant_analysis::stability::{PointVerdict, decide_at};
-/// use courant_analysis::{kernel::Kernel, stability::margin::Margin, exact::rational::{integer, ratio}};
-/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-/// let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2));
-/// let margin = Margin::new(&scheme.unwrap().symbol(), &integer(0));
-/// assert_eq!(decide_at(&margin, &ratio(15, 8)), PointVerdict::Stable);
-/// assert!(matches!(decide_at(&margin, &ratio(19, 10)), PointVerdict::Unstable(_)));
+/// let upwind = Step::from_text("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])")?;
+/// let margin = upwind.gain_margin("C", &integer(0))?.unwrap();
+/// assert_eq!(decide_at(&margin, &integer(1)), PointVerdict::Stable);
+/// assert!(matches!(decide_at(&margin, &ratio(11, 10)), PointVerdict::Unstable(_)));
+/// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
 pub fn decide_at(margin: &Margin, courant_number: &Rational) -> PointVerdict {
     if margin.is_neutral() || courant_number.is_zero() && margin.courant_power() > 0 {

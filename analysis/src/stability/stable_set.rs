@@ -13,7 +13,6 @@ mod unstable_stretch;
 use super::{Binding, Evidence, ExactValue, Limit};
 use crate::exact::bernstein::Work;
 use crate::exact::rational::{Rational, from_f64, to_f64};
-use crate::scheme::symbol::EnclosedSymbol;
 use crate::stability::margin::Margin;
 use num_traits::{One, Zero};
 use search::Search;
@@ -94,65 +93,8 @@ impl StableSet {
     }
 }
 
-/// The stability limit `|g| ≤ 1` within `[0, max_courant]`.
-///
-/// ```
-/// use courant_analysis::{kernel::Kernel, stability::{Cause, Evidence, stability_limit}};
-/// use courant_analysis::exact::rational::{integer, ratio};
-/// use courant_analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
-/// let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, ratio(2, 1));
-/// let limit = stability_limit(&scheme.unwrap().symbol(), &integer(10));
-/// assert_eq!(limit.exact().unwrap().to_string(), "15/8");
-/// assert_eq!((limit.evidence(), limit.cause()), (Evidence::Proved, Some(Cause::LongWave)));
-/// ```
-pub fn stability_limit(symbol: &EnclosedSymbol, max_courant: &Rational) -> Limit {
-    stable_set(symbol, &Rational::zero(), max_courant).limit()
-}
-
-/// The largest Courant number within `[0, max_courant]` up to which `|g| ≤ 1 + growth`.
-pub fn growth_limit(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rational) -> Limit {
-    stable_set(symbol, growth, max_courant).limit()
-}
-
-/// Every Courant number in `[0, max_courant]` with `|g| ≤ 1 + growth` for all waves.
-pub fn stable_set(symbol: &EnclosedSymbol, growth: &Rational, max_courant: &Rational) -> StableSet {
-    stable_set_to(symbol, growth, max_courant, DEFAULT_BITS)
-}
-
-/// [`stable_set`] with ends enclosed to about `2^−bits` of their size. Limits that are found exactly, or as roots of
-/// a polynomial, are known to any precision all the same; the others keep what was asked for, as far as the
-/// data go ([`Limit::enclosure`]).
-pub fn stable_set_to(
-    symbol: &EnclosedSymbol,
-    growth: &Rational,
-    max_courant: &Rational,
-    bits: u32,
-) -> StableSet {
-    let strict =
-        search(&Margin::new(symbol, &Rational::zero()), max_courant, &Rational::zero(), bits);
-    if growth.is_zero() {
-        return strict;
-    }
-    let mut set = growth_set_beyond(symbol, growth, &strict.limit(), max_courant, bits);
-    set.work += strict.work;
-    set
-}
-
-/// [`stable_set_to`] for a growth budget, when the strict limit is known: what does not grow at all does not grow too fast, and only the
-/// rest is searched.
-pub fn growth_set_beyond(
-    symbol: &EnclosedSymbol,
-    growth: &Rational,
-    strict: &Limit,
-    max_courant: &Rational,
-    bits: u32,
-) -> StableSet {
-    let known = strict.certain_lower().unwrap_or_default();
-    search(&Margin::new(symbol, growth), max_courant, &known, bits)
-}
-
-#[cfg(test)]
 /// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
+#[cfg(test)]
 pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
     search(margin, max_courant, &Rational::zero(), DEFAULT_BITS)
 }

@@ -11,7 +11,6 @@ use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::certificate::{self, Certificate, certify_monotonicity, certify_stability};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
-use courant::analysis::scheme::{AdvectionScheme, Discretisation, Scheme};
 use courant::analysis::stability::{
     DEFAULT_BITS, Limit, SearchPlan, SingularStep, StableSet, sampled_stability_limit,
 };
@@ -147,12 +146,6 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
         sought,
         subject,
     })
-}
-
-fn discretisation(subject: &Subject) -> Option<Discretisation> {
-    let scheme: AdvectionScheme = subject.file.name.parse().ok()?;
-    let (kernel, ratio) = subject.kernel.clone()?;
-    Discretisation::new(scheme, kernel, ratio).ok()
 }
 
 fn sampled(subject: &Subject, samples: usize, max: &Rational) -> Result<Limit, Failure> {

@@ -6,13 +6,13 @@ use crate::cli::progress::Bar;
 use crate::cli::subject::Subject;
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::{to_f64, to_text};
-use courant::simulation::advection::{AdvectionScheme, Discretisation};
 use courant::reports::advection_validation::{
     Settings, ValidatedCase, ValidationCase, ValidationRecord, run_cases,
 };
 use courant::reports::number::significant;
 use courant::reports::table::{Align, Table};
 use courant::simulation::advection::Fault;
+use courant::simulation::advection::{AdvectionScheme, Discretisation};
 
 pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failure> {
     let defaults = Settings::default();
