@@ -263,7 +263,7 @@ fn degree<T: Ring>(series: &[CosineSeries<T>]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::rational::{ratio, to_f64};
+    use crate::exact::rational::{integer, ratio, to_f64};
     use crate::kernel::Kernel;
     use crate::scheme::testing::{SPH, sph};
     use proptest::prelude::*;
