@@ -173,6 +173,8 @@ impl Mul for &Float {
 
 impl Div for &Float {
     type Output = Float;
+    // Exponents of a quotient are subtracted.
+    #[allow(clippy::suspicious_arithmetic_impl)]
     fn div(self, other: &Float) -> Float {
         let bits = self.bits.max(other.bits);
         let exponent = self.exponent - other.exponent;
