@@ -211,7 +211,7 @@ fn the_lists_name_integrators_and_wave_methods() {
     for method in ["sph", "sph-av", "gph"] {
         assert!(names("methods").contains(&method.to_owned()));
     }
-    assert!(names("figures").contains(&"figure_05".to_owned()));
+    assert!(names("figures").iter().any(|name| name.ends_with("figure_05")));
 }
 
 #[test]
