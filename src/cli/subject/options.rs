@@ -2,6 +2,7 @@
 
 use super::{EquationOfState, Kind, PRESSURE, Subject};
 use crate::cli::numbers::{self, Names, Numbers};
+use crate::cli::waves::Form;
 use crate::cli::{Failure, names};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, integer};
@@ -56,9 +57,9 @@ pub struct SubjectOptions {
     /// Space dimensions of a particle method: 1.
     #[arg(long, value_parser = one_dimension, help_heading = "Subject")]
     dimension: Option<usize>,
-    /// Relation of gph: resolved.
-    #[arg(long, value_parser = resolved, hide = true)]
-    form: Option<String>,
+    /// Relation of gph; the published one is that of no running code, and `validate` alone holds runs against it.
+    #[arg(long, value_enum, help_heading = "Subject")]
+    form: Option<Form>,
     /// Values of a parameter, for each parameter once: r=1/4 or r=0:1:0.1.
     #[arg(long, value_name = "NAME=VALUES", allow_hyphen_values = true, value_parser = setting, help_heading = "Subject")]
     set: Vec<(String, Numbers)>,
@@ -78,6 +79,8 @@ pub struct Defaults {
     pub schemes: Option<String>,
     /// The integrators.
     pub integrators: Option<String>,
+    /// Whether the relation printed for gph is accepted.
+    pub published: bool,
 }
 
 fn refuse(message: impl Into<String>) -> Failure {
@@ -138,17 +141,12 @@ fn one_dimension(text: &str) -> Result<usize, String> {
     if text == "1" { Ok(1) } else { Err("only waves along a line are decided; accepted: 1".into()) }
 }
 
-fn resolved(text: &str) -> Result<String, String> {
-    match text {
-        "resolved" => Ok(text.into()),
-        "published" => {
-            Err("the published relation is no scheme that runs; accepted: resolved".into())
-        }
-        _ => Err("accepted: resolved".into()),
-    }
-}
-
 impl SubjectOptions {
+    /// The relation of gph that was named.
+    pub fn form(&self) -> Option<Form> {
+        self.form
+    }
+
     /// Whether any of them was given.
     pub fn is_named(&self) -> bool {
         !self.equation.is_empty()
@@ -181,7 +179,7 @@ impl SubjectOptions {
     pub fn subjects(&self, defaults: &Defaults) -> Result<Vec<Subject>, Failure> {
         let (kind, files) = self.files(defaults)?;
         let method = kind == Kind::Method;
-        self.refuse_foreign(kind, &files)?;
+        self.refuse_foreign(kind, &files, defaults.published)?;
         let integrators = self.integrators(method, defaults)?;
         let nothing = || vec![None];
         let listed =
@@ -297,7 +295,12 @@ impl SubjectOptions {
     }
 
     /// Complains about options that none of the files has a use for.
-    fn refuse_foreign(&self, kind: Kind, files: &[Arc<SchemeFile>]) -> Result<(), Failure> {
+    fn refuse_foreign(
+        &self,
+        kind: Kind,
+        files: &[Arc<SchemeFile>],
+        published: bool,
+    ) -> Result<(), Failure> {
         let method = kind == Kind::Method;
         let kernel = files.iter().any(|file| file.needs_kernel());
         let lines = files.iter().any(|file| file.is_of_lines());
@@ -319,6 +322,11 @@ impl SubjectOptions {
                 "equations say by themselves how many there are",
             ),
             ("--form", self.form.is_some() && names != "gph", "only gph takes it"),
+            (
+                "--form published",
+                self.form == Some(Form::Published) && !published,
+                "the printed relation is no scheme that runs; accepted: resolved",
+            ),
             (
                 "--kernel",
                 self.kernel.is_some() && !kernel,

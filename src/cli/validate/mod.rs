@@ -7,7 +7,6 @@ mod particles;
 use super::numbers::Numbers;
 use super::output::Format;
 use super::subject::{Defaults, Kind, Subject, SubjectOptions};
-use super::waves::Form;
 use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, integer, ratio};
@@ -28,9 +27,6 @@ pub struct Arguments {
     /// Steps of each run (default: 100; waves of particle methods 200).
     #[arg(long, value_name = "N", value_parser = steps)]
     steps: Option<u64>,
-    /// Relation of gph that the run is held against; the published one is that of no running code.
-    #[arg(long, value_enum)]
-    form: Option<Form>,
     /// Add this to the coefficient of the upwind neighbour in the stepping code, to see the check fail.
     #[arg(long, value_parser = numbers::number, allow_hyphen_values = true, hide = true)]
     fault: Option<Rational>,
@@ -56,16 +52,13 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let schemes = (!arguments.subject.is_named())
         .then(|| AdvectionScheme::ALL.map(AdvectionScheme::name).join(","));
     let integrators = method.then(|| particles::INTEGRATORS.join(","));
-    let defaults = Defaults { kernels, ratios: vec![ratio], schemes, integrators };
+    let defaults = Defaults { kernels, ratios: vec![ratio], schemes, integrators, published: true };
     let subjects = arguments.subject.subjects(&defaults)?;
     let running = |subject: &Subject| {
         subject.kind == Kind::Scheme && subject.file.name.parse::<AdvectionScheme>().is_ok()
     };
     if method {
         return particles::run(arguments, &subjects);
-    }
-    if arguments.form.is_some() {
-        return Err(Failure::Message("--form: only --method gph has two relations".into()));
     }
     if subjects.iter().all(running) {
         return advection::run(arguments, &subjects);

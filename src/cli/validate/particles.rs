@@ -137,7 +137,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
             values.push(0.25);
         }
         for courant in values {
-            cases.push(case(subject, arguments.form, courant, particles)?);
+            cases.push(case(subject, arguments.subject.form(), courant, particles)?);
         }
     }
     let compared: Vec<Compared> = cases
