@@ -267,9 +267,12 @@ fn a_billionth_of_any_coefficient_of_an_integrator_is_seen() {
 fn scheme_at(file: &SchemeFile, value: f64) -> Result<RingScheme, SteppingError> {
     let defaults = file.parameters.iter().map(|(n, v)| (n.clone(), to_f64(v)));
     let sought = file.parameter.clone().unwrap();
+    // Known limits of kernel schemes are those of the cubic spline at ratio 2.
+    let lattice =
+        file.needs_kernel().then(|| KernelLattice::new(Kernel::CubicSpline, &ratio(2, 1)).unwrap());
     RingScheme::new(
         &file.equations,
-        None,
+        lattice.as_ref(),
         None,
         &defaults.chain([(sought, value)]).collect::<Vec<_>>(),
     )
