@@ -124,12 +124,13 @@ impl Step {
                 return self.stable_set(parameter, &plan.clone().knowing(&strict));
             }
         }
-        self.stable_set_under(&self.inequalities(parameter, &plan.growth)?, plan)
+        self.stable_set_under(parameter, &self.inequalities(parameter, &plan.growth)?, plan)
     }
 
     /// [`stable_set`](Self::stable_set) with what is asked for known.
     pub(crate) fn stable_set_under(
         &self,
+        parameter: &str,
         demands: &Demands,
         plan: &SearchPlan,
     ) -> Result<StableSet, SchemeError> {
@@ -147,13 +148,11 @@ impl Step {
             let small = Rational::new(BigInt::one(), BigInt::from(SMALL));
             let growth = growth_at(&self.with(parameter, &small)?)?;
             if growth.per_step > 0.0 {
-                // |z| is even about π: a maximum so near to it is there.
-                let at_end = std::f64::consts::PI - growth.phase < 1e-6;
-                let phase = if at_end { std::f64::consts::PI } else { growth.phase };
-                set.immediately_unstable_phase = Some(phase);
+                set.immediately_unstable_phase = Some(growth.phase);
             }
         }
-        Ok(set)
+        // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
+        if plan.growth.is_zero() { set.with_ends(self, parameter) } else { Ok(set) }
     }
 
     /// The conditions for `|z| ≤ 1 + growth` as polynomials in the wave and one parameter.

@@ -13,17 +13,25 @@ use num_bigint::BigInt;
 use num_complex::Complex64;
 use num_traits::Zero;
 
+mod ends;
+
 /// Bits of the arithmetic in which multipliers and ranks are looked at: 150 digits.
 const BITS: u32 = 512;
 
 /// Bits to which waves are enclosed whose multipliers meet.
 const WAVE_BITS: u32 = 192;
 
-/// Multipliers nearer than this power of two are one: where two meet, the enclosure of the wave parts them by the root of its width.
-const CLOSE: i64 = -40;
+/// Where the wave is enclosed so narrowly, multipliers that meet there are apart by the root of it.
+const EXACT: Tolerance = Tolerance { close: -40, nothing: -60 };
 
-/// What is below this power of two is zero.
-const NOTHING: i64 = -60;
+/// Powers of two.
+#[derive(Debug, Clone, Copy)]
+struct Tolerance {
+    /// Multipliers nearer than this are one.
+    close: i64,
+    /// What is below this is zero.
+    nothing: i64,
+}
 
 /// The discriminant of a polynomial in `z` of higher degree is not expanded.
 const MOST_DEGREE: usize = 4;
@@ -85,7 +93,7 @@ pub fn multiplicity_at(step: &Step) -> Result<Multiplicity, SchemeError> {
     let mut result = Multiplicity::default();
     for s in waves {
         let place = precise.place(&s, &Rational::zero(), 0.0);
-        for found in multiple_at(step, &matrix, &precise, &place) {
+        for found in multiple_at(step, &matrix, &precise, &place, EXACT) {
             let found = MultipleMultiplier { all_waves, ..found };
             let is_one = (found.multiplier - 1.0).norm() < 1e-15;
             match (is_one, s.is_zero()) {
@@ -179,11 +187,12 @@ fn multiple_at(
     matrix: &Matrix,
     precise: &PreciseStep,
     place: &Place,
+    tolerance: Tolerance,
 ) -> Vec<MultipleMultiplier> {
     let mut rest = precise.differences(&precise.coefficients(place));
     let mut found = Vec::new();
     while let Some(first) = rest.pop() {
-        let near = |y: &ComplexFloat| is_below(&(y - &first), CLOSE);
+        let near = |y: &ComplexFloat| is_below(&(y - &first), tolerance.close);
         let (mut cluster, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(near);
         rest = others;
         cluster.push(first);
@@ -196,11 +205,11 @@ fn multiple_at(
         let count = ComplexFloat::real(Float::integer(&multiplicity.into(), BITS));
         let mean = &sum / &count;
         let excess = ComplexFloat::real(&mean.re.clone().scaled(1) + &mean.norm_sqr());
-        if !is_below(&excess, NOTHING) {
+        if !is_below(&excess, tolerance.nothing) {
             continue;
         }
         let z = &mean + &ComplexFloat::real(Float::integer(&1.into(), BITS));
-        let eigenvectors = nullity(step, matrix, precise, place, &z);
+        let eigenvectors = nullity(step, matrix, precise, place, &z, tolerance.nothing);
         if eigenvectors < multiplicity {
             found.push(MultipleMultiplier {
                 phase: place.phase(),
@@ -225,6 +234,7 @@ fn nullity(
     precise: &PreciseStep,
     place: &Place,
     z: &ComplexFloat,
+    nothing: i64,
 ) -> usize {
     if matrix.size() == 1 {
         return 1;
@@ -243,7 +253,7 @@ fn nullity(
     for rank in 0..size {
         let places = (rank..size).flat_map(|i| (rank..size).map(move |j| (i, j)));
         let largest = places.max_by_key(|&(i, j)| rows[i][j].magnitude().unwrap_or(i64::MIN));
-        let Some((row, column)) = largest.filter(|&(i, j)| !is_below(&rows[i][j], NOTHING)) else {
+        let Some((row, column)) = largest.filter(|&(i, j)| !is_below(&rows[i][j], nothing)) else {
             return size - rank;
         };
         rows.swap(rank, row);

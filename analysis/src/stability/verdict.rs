@@ -109,7 +109,7 @@ pub fn check(
     let range = plan.max.clone().max(value * integer(4));
     let plan = plan.clone().up_to(range).growing(Rational::zero());
     let asked = step.inequalities(parameter, &Rational::zero())?;
-    let stable_set = step.stable_set_under(&asked, &plan)?;
+    let stable_set = step.stable_set_under(parameter, &asked, &plan)?;
     let monotone_set = step.monotone_set(parameter, &plan)?;
     let at_value = step.with(parameter, value)?;
     let at_value = at_value.expanded().unwrap_or(at_value);

@@ -211,10 +211,14 @@ impl Spot<'_> {
 }
 
 impl Half {
+    /// Whether it begins at the longest or the shortest wave.
+    fn is_outermost(&self) -> bool {
+        self.end.is_zero() || self.end.is_one()
+    }
+
     /// The samples, ascending: equal steps, and ever smaller ones towards the end.
     fn samples(&self, span: usize) -> Vec<f64> {
-        let is_outermost = self.end.is_zero() || self.end.is_one();
-        let nearest = if is_outermost { NEAREST } else { NEAREST.sqrt() };
+        let nearest = if self.is_outermost() { NEAREST } else { NEAREST.sqrt() };
         let resolving = 8.0 * span as f64 * to_f64(&self.width).abs().sqrt();
         let count = SAMPLES.max(resolving as usize);
         let equal = (1..=count).map(|i| i as f64 / count as f64);
@@ -225,6 +229,13 @@ impl Half {
         samples.extend(equal);
         samples
     }
+}
+
+/// Whether one is larger than another by more than a part in `2^40`.
+fn is_larger(one: &Float, other: &Float) -> bool {
+    let difference = one - other;
+    let sizes = one.magnitude().max(other.magnitude());
+    !difference.is_negative() && difference.magnitude() > sizes.map(|size| size - 40)
 }
 
 /// A sampled maximum with its neighbours.
@@ -259,17 +270,21 @@ impl Search<'_> {
         peaks.retain(|peak| peak.value >= best.min(best * WORTH_REFINING));
         peaks.truncate(CANDIDATES);
         let refined = peaks.iter().filter_map(|peak| {
-            let spot = Spot { half: peak.half, x: self.refined(peak) };
-            Some((spot, self.precise.largest(&spot.place(&self.precise))?))
+            let at = |x: f64| {
+                let spot = Spot { half: peak.half, x };
+                Some((spot, self.precise.largest(&spot.place(&self.precise))?))
+            };
+            let found = at(self.refined(peak))?;
+            // Even about the longest and the shortest wave: a maximum that cannot be told from one there is there.
+            let end = if peak.half.is_outermost() { at(0.0) } else { None };
+            Some(end.filter(|end| !is_larger(&found.1.0, &end.1.0)).unwrap_or(found))
         });
         // Of equal ones the longer wave.
+        let phase = |spot: &Spot| spot.place(&self.precise).phase();
         refined.reduce(|a, b| {
-            let margin = a.1.0.clone().scaled(-40);
-            let size = if margin.is_negative() { -&margin } else { margin };
-            let difference = &b.1.0 - &a.1.0;
-            let equal = (&difference - &size).is_negative() && !(&difference + &size).is_negative();
-            let longer = || b.0.place(&self.precise).phase() < a.0.place(&self.precise).phase();
-            if equal && longer() || !equal && !difference.is_negative() { b } else { a }
+            let better = is_larger(&b.1.0, &a.1.0);
+            let longer = || !is_larger(&a.1.0, &b.1.0) && phase(&b.0) < phase(&a.0);
+            if better || longer() { b } else { a }
         })
     }
 

@@ -62,3 +62,28 @@ fn waves_that_meet_at_no_fraction_of_the_circle() {
     let value = 0.73 * above.phase.sin() * (4.0 - cosine) / 3.0;
     assert!((value - 1.0).abs() < 1e-12, "{value}");
 }
+
+/// Whether the end of the first stable interval is stable itself.
+fn includes_its_limit(text: &str) -> bool {
+    let limit = Step::from_text(text).unwrap().limit("C").unwrap();
+    assert!(limit.is_positive() && limit.upper().is_finite(), "{limit:?}");
+    limit.is_included()
+}
+
+#[test]
+fn limits_are_included_where_eigenvectors_suffice() {
+    assert!(includes_its_limit("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])"));
+    assert!(!includes_its_limit("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])"));
+    assert!(!includes_its_limit(STAGGERED));
+    // Two schemes that do not know of one another have an eigenvector each: both reach the circle at C = 1 and −1.
+    let twice =
+        "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]); w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1])";
+    assert!(includes_its_limit(twice));
+    // One drives the other at C = 1 in resonance.
+    let driven = format!("{twice} + u[n,j]/10");
+    assert!(!includes_its_limit(&driven));
+    // At no fraction: fourth order in space and leapfrog, ω Δt = 2.
+    let fourth = "u[n+1,j] = 2*u[n,j] - u[n-1,j] \
+                  + C^2/12*(-u[n,j+2] + 16*u[n,j+1] - 30*u[n,j] + 16*u[n,j-1] - u[n,j-2])";
+    assert!(!includes_its_limit(fourth));
+}
