@@ -57,7 +57,7 @@ pub struct SubjectOptions {
     /// Space dimensions of a particle method: 1.
     #[arg(long, value_parser = one_dimension, help_heading = "Subject")]
     dimension: Option<usize>,
-    /// Relation of gph; the published one is that of no running code, and `validate` alone holds runs against it.
+    /// Relation of gph: resolved; `published` is no scheme that runs, and only `validate` (and `dispersion`) take it.
     #[arg(long, value_enum, help_heading = "Subject")]
     form: Option<Form>,
     /// Values of a parameter, for each parameter once: r=1/4 or r=0:1:0.1.
