@@ -2,7 +2,7 @@
 
 use courant_analysis::exact::rational::{Rational, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{KernelLattice, catalogue};
+use courant_analysis::scheme::{KernelLattice, Step, catalogue};
 use courant_analysis::stability::{Evidence, Limit, SearchPlan, StableSet};
 
 fn stable_set(scheme: &catalogue::SchemeFile) -> StableSet {
@@ -143,4 +143,19 @@ fn a_contact_viscosity_above_the_sound_speed_takes_over() {
     assert_eq!(monotone.unwrap().limit().exact().unwrap().to_string(), "4/5");
     // Without viscosity the contact is kept at any step.
     assert!(of("0").free_parameters().is_empty());
+}
+
+#[test]
+fn zero_is_a_stable_value_only_where_the_scheme_is_stable_there() {
+    let set = |text: &str| {
+        Step::from_text(text).unwrap().stable_set("C", &SearchPlan::default()).unwrap()
+    };
+    // At C = 0 the factor is 2 - e^(-i phi) or more: |g| = 4 for the shortest wave.
+    let grows = set("u[n+1,j] = (C - 2)*(u[n,j] - u[n,j-1])");
+    assert!(!grows.at_zero && grows.intervals[0].from.value() == 1.5, "{grows:?}");
+    // Nothing can be solved there.
+    assert!(!set("C*u[n+1,j] = u[n,j]").at_zero);
+    // The identity is stable, and the only stable value.
+    let downwind = set("u[n+1,j] = u[n,j] - C*(u[n,j+1] - u[n,j])");
+    assert!(downwind.at_zero && downwind.intervals.is_empty());
 }

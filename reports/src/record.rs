@@ -235,7 +235,7 @@ pub struct LimitsRow {
 /// The intervals of a set; 0 alone where it is the limit.
 pub fn intervals(set: &StableSet, symbol: &str) -> Vec<IntervalRecord> {
     let limit = set.limit();
-    let zero = (limit.upper() == 0.0).then(|| IntervalRecord::new(0.0, 0.0, 0.0));
+    let zero = (limit.upper() == 0.0 && set.at_zero).then(|| IntervalRecord::new(0.0, 0.0, 0.0));
     let others = set.intervals.iter().map(|interval| IntervalRecord {
         begin: Some(LimitRecord::new(&interval.from, symbol, None)),
         end: Some(LimitRecord::new(&interval.to, symbol, None)),

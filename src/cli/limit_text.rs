@@ -94,7 +94,7 @@ pub fn set(set: &StableSet) -> String {
         Some(text) if text.len() <= LONGEST_EXACT => text,
         _ => limit.proved_decimal(8).unwrap_or_else(|| significant(limit.lower(), 8)),
     };
-    let zero = (set.limit().upper() == 0.0).then(|| "{0}".to_string());
+    let zero = (set.limit().upper() == 0.0 && set.at_zero).then(|| "{0}".to_string());
     let stretches = set.intervals.iter().map(|interval| {
         let (from, to) = (&interval.from, &interval.to);
         let open = if from.is_included() { '[' } else { '(' };
@@ -108,12 +108,21 @@ pub fn set(set: &StableSet) -> String {
         format!("{begin}, {}{}", end(to), if to.is_included() { ']' } else { ')' })
     });
     let all: Vec<String> = zero.into_iter().chain(stretches).collect();
-    if all.is_empty() { "nothing decided".into() } else { all.join(" ∪ ") }
+    if all.is_empty() && set.undecided.is_empty() {
+        "empty".into()
+    } else if all.is_empty() {
+        "nothing decided".into()
+    } else {
+        all.join(" ∪ ")
+    }
 }
 
 /// Whether a set is more than what its limit says: not one stretch from 0.
 pub fn has_gaps(set: &StableSet) -> bool {
-    set.intervals.len() > 1 || set.intervals.first().is_some_and(|first| first.from.upper() > 0.0)
+    let nowhere = set.limit().upper() == 0.0 && !set.at_zero && set.undecided.is_empty();
+    nowhere
+        || set.intervals.len() > 1
+        || set.intervals.first().is_some_and(|first| first.from.upper() > 0.0)
 }
 
 /// A limit in one line.

@@ -151,6 +151,15 @@ impl Step {
                 set.immediately_unstable_phase = Some(growth.phase);
             }
         }
+        // 0 itself is a stable value where stability begins there; else it is decided like any other.
+        set.at_zero = set.intervals.first().is_some_and(|first| first.from.upper() == 0.0)
+            || match &self.free_parameters()[..] {
+                [parameter] => self.with(parameter, &Rational::zero()).is_ok_and(|at_zero| {
+                    at_zero.characteristic().is_ok()
+                        && decide_step_at(&at_zero, &plan.growth) == Ok(PointVerdict::Stable)
+                }),
+                _ => false,
+            };
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
         if plan.growth.is_zero() { set.with_ends(self, parameter) } else { Ok(set) }
     }
@@ -264,6 +273,7 @@ fn nowhere() -> StableSet {
         neutral: false,
         evidence: Evidence::Proved,
         work: Work::default(),
+        at_zero: false,
     }
 }
 
@@ -291,6 +301,7 @@ fn everything(plan: &SearchPlan, evidence: Evidence) -> StableSet {
         neutral: true,
         evidence,
         work: Work::default(),
+        at_zero: true,
     }
 }
 

@@ -96,6 +96,7 @@ impl Step {
             neutral: false,
             evidence,
             work: Work::default(),
+            at_zero: least.iter().all(|c| !c.polynomial.coefficient(0).is_negative()),
         };
         for whole in &possible {
             let inside: Vec<_> = certain.iter().filter(|part| whole.holds(part, plan)).collect();

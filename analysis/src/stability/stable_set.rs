@@ -51,6 +51,8 @@ pub struct StableSet {
     pub evidence: Evidence,
     /// How much work it took.
     pub work: Work,
+    /// Whether 0 itself belongs to the set.
+    pub at_zero: bool,
 }
 
 impl StableSet {
@@ -83,7 +85,7 @@ impl StableSet {
     /// Whether a Courant number lies in a stable interval; at an end that is enclosed and not exact,
     /// only the inner side counts.
     pub fn contains(&self, courant_number: &Rational) -> bool {
-        courant_number.is_zero()
+        courant_number.is_zero() && self.at_zero
             || self.intervals.iter().any(|interval| {
                 let above =
                     interval.from.certain_upper().is_some_and(|from| *courant_number >= from);
@@ -151,6 +153,7 @@ fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) 
             neutral: true,
             evidence,
             work: Work::default(),
+            at_zero: true,
         };
     }
     Search::new(margin, max_courant, bits).knowing(known).run(max_courant, evidence)

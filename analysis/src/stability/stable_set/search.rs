@@ -167,6 +167,7 @@ impl<'a> Search<'a> {
             neutral: false,
             evidence,
             work: self.work,
+            at_zero: true,
         }
     }
 
