@@ -98,3 +98,11 @@ fn known_integrators_of_gph() {
         assert_eq!(bound_by(&found), condition);
     }
 }
+
+/// Where one condition begins to hold another is long broken: there is no window, not even of a point.
+#[test]
+fn conditions_that_hold_in_turn_leave_no_window() {
+    let set = set("sph-av", "rk4", &ratio(6, 5), &[("alpha", integer(2))]);
+    assert_eq!(set.intervals.len(), 1);
+    assert!(set.undecided.is_empty() && (set.limit().value() - 0.663_400_774_3).abs() < 1e-9);
+}

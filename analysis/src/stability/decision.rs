@@ -408,8 +408,14 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
                     if kept { interval.to.clone() } else { other.to.bound_by(binding) }
                 }
             };
-            if from.lower() < to.upper() {
-                result.intervals.push(StableInterval { from, to });
+            match (from.certain_upper(), to.certain_lower()) {
+                // The end of one condition and the beginning of another are not told apart: a point, a sliver, or nothing.
+                (Some(after), Some(before)) if after > before => {
+                    result.undecided.push((from.lower(), to.upper()));
+                }
+                // A single value is no stretch to choose a step from.
+                (Some(after), Some(before)) if after == before => {}
+                _ => result.intervals.push(StableInterval { from, to }),
             }
         }
     }
