@@ -335,7 +335,10 @@ fn table(arguments: &Arguments, answer: &Answer) -> Table {
     }
     if let Some(phase) = found.drift {
         let wave = format!("{} Δ (φ = {} rad)", length(phase), significant(phase, 5));
-        add("nothing pulls back", wave);
+        add(
+            "nothing pulls back",
+            format!("{wave}: a disturbance drifts in proportion to the steps"),
+        );
     }
     if let (Some(within), Some(growth)) = (answer.within, &arguments.growth) {
         let name = format!("growth within {}", significant(to_f64(growth), 3));

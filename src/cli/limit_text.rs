@@ -31,7 +31,7 @@ pub fn digits(limit: &Limit, asked: Option<usize>, otherwise: usize) -> String {
     match shown {
         Some(digits) => digits,
         None if limit.is_unbounded() => "∞".into(),
-        None => format!("> {}", significant(limit.lower(), 6)),
+        None => format!("≥ {}", significant(limit.lower(), 6)),
     }
 }
 

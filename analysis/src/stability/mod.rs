@@ -8,6 +8,7 @@ mod critical_polynomial;
 mod cylinder;
 mod decision;
 mod inequality;
+mod intersection;
 mod limit;
 pub mod margin;
 mod monotone_set;

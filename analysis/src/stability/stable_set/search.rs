@@ -25,6 +25,10 @@ const LAST_WIDTH: u32 = 22;
 /// How many stretches of one kind are followed before the rest is left undecided.
 const MAX_STRETCHES: usize = 64;
 
+/// Boxes one search may look at in all: where two conjugate multipliers pass through 1 a margin touches zero at a single point that
+/// neither halving nor a fair discriminant decides, and the rest is left undecided.
+const MOST_BOXES_IN_ALL: usize = 40_000;
+
 /// A point `(s, t)` where the margin is negative.
 pub(super) type Counterexample = Box<(Rational, Rational)>;
 
@@ -187,6 +191,11 @@ impl<'a> Search<'a> {
         // Boxes are halved in `s` only, which suffices where the margin is at most linear in `t`. Of a
         // higher degree its Bernstein coefficients in `t` may stay negative; then `t` is halved too.
         // A touching point is halved down to as many bits as the ends have.
+        if self.work.boxes
+            >= MOST_BOXES_IN_ALL * (self.bits.max(DEFAULT_BITS) / DEFAULT_BITS) as usize
+        {
+            return Err(None);
+        }
         let most_boxes = MAX_BOXES.max(8 * self.bits as usize).min(self.budget);
         let (mut pieces, mut boxes) = if self.margin.powers() <= 2 {
             (1, most_boxes)

@@ -44,9 +44,12 @@ impl Search<'_> {
             };
         };
         if guess.parameter <= start * (1.0 + 1e-12) {
-            let s = phase_parameter(guess.phase);
-            if self.is_unstable_just_above(from, &s) {
-                return Stretch::Empty(s);
+            // The wave that began it, or, where that was long before, the one that grows most here.
+            let here = self.most_unstable(start * (1.0 + 1e-9));
+            for s in std::iter::once(phase_parameter(guess.phase)).chain(here) {
+                if self.is_unstable_just_above(from, &s) {
+                    return Stretch::Empty(s);
+                }
             }
         }
         let refined = refine(&self.compiled, guess, true, to_f64(&self.end));

@@ -85,7 +85,7 @@ impl Search<'_> {
     }
 
     /// The `s` of the resolving phase whose margin is lowest at `t`, if it is negative at all.
-    fn most_unstable(&self, t: f64) -> Option<Rational> {
+    pub(super) fn most_unstable(&self, t: f64) -> Option<Rational> {
         let mut powers = Vec::new();
         resolving_phases(self.margin.degree())
             .map(|phase| {
