@@ -17,7 +17,8 @@ mod cover;
 #[cfg(test)]
 mod resolution;
 
-use basis::{binomials, polar_weights, scaled_bernstein};
+pub(crate) use basis::polar_weights;
+use basis::{binomials, scaled_bernstein};
 pub use cover::{SignedBox, exact_cover};
 
 /// How much work a decision took: counts, not seconds, so that tests can hold it down.

@@ -1,20 +1,24 @@
 //! What a scheme asks for at one value of its parameter: polynomials in `s = sin²(φ/2)` that must not be negative on `[0, 1]`.
 
 use super::margin::Margin;
-use super::{Demands, Inequality, PointVerdict, even_series};
+use super::torus::{TorusInequality, decide_on_torus};
+use super::{Demands, Inequality, PointVerdict, Wave, even_series, phase_of};
 use crate::exact::laurent::Laurent;
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, common_denominator, integer, numerator_over, ratio};
+use crate::exact::rational::{Rational, common_denominator, integer, numerator_over};
 use crate::exact::unit_interval::Zeros;
 use crate::scheme::Names;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
+use std::f64::consts::FRAC_PI_2;
 
 /// The demands at one value.
 #[derive(Debug, Clone)]
 pub(crate) enum DemandsAt {
     /// None of these may be negative anywhere.
     All(Vec<DemandAt>),
+    /// The same in two and three dimensions.
+    OnTorus(Vec<TorusInequality>),
     /// What cannot be.
     Nowhere,
     /// What is not known.
@@ -38,6 +42,7 @@ impl DemandsAt {
         match demands {
             Demands::Nowhere => Self::Nowhere,
             Demands::Unknown => Self::Unknown,
+            Demands::OnTorus(demands) => Self::OnTorus(demands.inequalities.clone()),
             Demands::All(all) => {
                 let margins = all.iter().map(|one| &one.margin).filter(|m| !m.is_neutral());
                 Self::All(margins.filter_map(|m| DemandAt::new(m, &Rational::one())).collect())
@@ -48,7 +53,11 @@ impl DemandsAt {
     /// Of demands with a parameter, at a value of it. `None` where they say less about this value than about its neighbours: a condition
     /// vanishes for every wave, or may have been divided by a square that does. Then the demands of the scheme at the value decide.
     pub(crate) fn of_parameter(demands: &Demands, value: &Rational) -> Option<Self> {
-        let Demands::All(all) = demands else { return Some(Self::new(demands)) };
+        let all = match demands {
+            Demands::All(all) => all,
+            Demands::OnTorus(demands) => return demands.at(value).map(Self::OnTorus),
+            other => return Some(Self::new(other)),
+        };
         let at = |one: &&Inequality| {
             let t = value.pow(one.margin.stride() as i32);
             DemandAt::new(&one.margin, &t)
@@ -63,10 +72,11 @@ impl DemandsAt {
     }
 
     /// Whether all waves meet them: exact.
-    pub(crate) fn decide(&self) -> PointVerdict {
+    pub(crate) fn decide(&self) -> PointVerdict<Wave> {
         let all = match self {
             Self::All(all) => all,
-            Self::Nowhere => return PointVerdict::Unstable(ratio(1, 2)),
+            Self::OnTorus(all) => return decide_on_torus(all),
+            Self::Nowhere => return PointVerdict::Unstable(Wave::along_a_line(FRAC_PI_2)),
             Self::Unknown => return PointVerdict::Undecided,
         };
         let mut undecided = false;
@@ -74,7 +84,9 @@ impl DemandsAt {
             match demand.decide() {
                 PointVerdict::Stable => {}
                 PointVerdict::Undecided => undecided = true,
-                unstable => return unstable,
+                PointVerdict::Unstable(s) => {
+                    return PointVerdict::Unstable(Wave::along_a_line(phase_of(&s)));
+                }
             }
         }
         if undecided { PointVerdict::Undecided } else { PointVerdict::Stable }

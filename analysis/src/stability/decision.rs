@@ -9,9 +9,11 @@ use super::limit::Limit;
 use super::margin::Margin;
 use super::pointwise::PointVerdict;
 use super::stable_set::StableSet;
+use super::torus::{TorusDemands, stable_set_on_torus};
+use super::wave::Wave;
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::{Rational, integer};
-use crate::scheme::{SchemeError, Step};
+use crate::scheme::{LetterKind, SchemeError, Step};
 use crate::stability::conditions::Condition;
 use crate::waves::growth_at;
 use num_bigint::BigInt;
@@ -37,6 +39,8 @@ pub struct SearchPlan {
 pub enum Demands {
     /// All of these.
     All(Vec<Inequality>),
+    /// All of these, in two and three dimensions.
+    OnTorus(TorusDemands),
     /// What cannot be: a multiplier lies outside for every wave and every value.
     Nowhere,
     /// What is not known: see [`Conditions::undecided`].
@@ -135,17 +139,19 @@ impl Step {
             Demands::Nowhere => nowhere(),
             Demands::Unknown => unknown(plan),
             Demands::All(inequalities) => intersection(inequalities, plan),
+            Demands::OnTorus(demands) => stable_set_on_torus(demands, plan),
         };
         // One condition of one multiplier knows how fast each wave grows; of others only signs are known.
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
-        if set.immediately_unstable_phase.is_some()
+        if set.immediately_unstable.is_some()
             && !one
+            && self.dimension == 1
             && let [parameter] = &self.free_parameters()[..]
         {
             let small = Rational::new(BigInt::one(), BigInt::from(SMALL));
             let growth = growth_at(&self.with(parameter, &small)?)?;
             if growth.per_step > 0.0 {
-                set.immediately_unstable_phase = Some(growth.phase);
+                set.immediately_unstable = Some(Wave::along_a_line(growth.phase));
             }
         }
         // 0 itself is a stable value where stability begins there; else it is decided like any other.
@@ -158,7 +164,11 @@ impl Step {
                 _ => false,
             };
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
-        if plan.growth.is_zero() { set.with_ends(self, parameter) } else { Ok(set) }
+        if plan.growth.is_zero() && self.dimension == 1 {
+            set.with_ends(self, parameter)
+        } else {
+            Ok(set)
+        }
     }
 
     /// The conditions for `|z| ≤ 1 + growth` as polynomials in the wave and one parameter.
@@ -180,10 +190,10 @@ impl Step {
         variable: Option<Variable>,
         growth: &Rational,
     ) -> Result<Demands, SchemeError> {
-        if self.dimension != 1 {
-            return Err(SchemeError::Dimension(self.dimension));
-        }
         let characteristic = self.characteristic()?;
+        if self.dimension != 1 {
+            return Ok(self.demands_on_torus(&characteristic, variable, growth));
+        }
         if let Some(margin) = gain_margin(&characteristic, self, variable, growth) {
             let condition = Condition::Minor(1);
             let whatever_the_step = false;
@@ -215,6 +225,37 @@ impl Step {
         Ok(Demands::All(inequalities))
     }
 
+    /// What a scheme asks for, on unit cubes of waves.
+    pub(crate) fn demands_on_torus(
+        &self,
+        characteristic: &Laurent,
+        variable: Option<Variable>,
+        growth: &Rational,
+    ) -> Demands {
+        let requirements = match squared_gain(characteristic, self, growth) {
+            Some(gain) => vec![Requirement {
+                condition: Condition::Minor(1),
+                on_circle: false,
+                polynomial: gain.margin,
+                square: Laurent::integer(1),
+            }],
+            None => {
+                let conditions = Conditions::new(characteristic, growth, &self.names);
+                if conditions.nowhere {
+                    return Demands::Nowhere;
+                }
+                if conditions.undecided {
+                    return Demands::Unknown;
+                }
+                conditions.requirements
+            }
+        };
+        match TorusDemands::new(&requirements, self.dimension, variable) {
+            Some(demands) => Demands::OnTorus(demands),
+            None => Demands::Unknown,
+        }
+    }
+
     /// `(1 + growth)² − |g|²` of an explicit scheme for one unknown between two levels, with its parameter; `None` for other schemes.
     ///
     /// # Errors
@@ -229,40 +270,47 @@ impl Step {
     }
 }
 
-fn gain_margin(
-    characteristic: &Laurent,
-    step: &Step,
-    variable: Option<Variable>,
-    growth: &Rational,
-) -> Option<Margin> {
+/// `(1 + growth)² − |g|²` times a positive number, and one over that number.
+struct SquaredGain {
+    margin: Laurent,
+    scale: Rational,
+}
+
+fn squared_gain(characteristic: &Laurent, step: &Step, growth: &Rational) -> Option<SquaredGain> {
     let coefficients = characteristic.coefficients(Variable::TIME);
     let [old, new] = coefficients.as_slice() else { return None };
     let (exponents, unit) = new.as_monomial()?;
     if exponents[4..].iter().any(|&power| power != 0) {
         return None;
     }
+    // Reduction of square roots may scale; schemes with them go the general way.
+    let is_root = |kind: &LetterKind| matches!(kind, LetterKind::SquareRoot(_));
+    if step.names.letters().any(|(_, letter)| is_root(&letter.kind)) {
+        return None;
+    }
     let radius = growth + Rational::one();
     let squared_unit: BigInt = unit * unit;
     let budget = Laurent::constant(&squared_unit * radius.numer() * radius.numer());
-    let squared =
-        step.names.reduce((old * &old.conjugate()).scaled(&(radius.denom() * radius.denom())));
-    // Reduction of square roots may scale; schemes with them go the general way.
-    if step
-        .names
-        .letters()
-        .any(|(_, letter)| matches!(letter.kind, crate::scheme::LetterKind::SquareRoot(_)))
-    {
-        return None;
-    }
+    let squared = (old * &old.conjugate()).scaled(&(radius.denom() * radius.denom()));
     let scale = Rational::new(BigInt::one(), squared_unit * radius.denom() * radius.denom());
-    Some(margin_of(&(budget - squared), &step.names, variable, &scale).with_growth(growth))
+    Some(SquaredGain { margin: budget - squared, scale })
+}
+
+fn gain_margin(
+    characteristic: &Laurent,
+    step: &Step,
+    variable: Option<Variable>,
+    growth: &Rational,
+) -> Option<Margin> {
+    let gain = squared_gain(characteristic, step, growth)?;
+    Some(margin_of(&gain.margin, &step.names, variable, &gain.scale).with_growth(growth))
 }
 
 /// Whether a scheme whose parameters all have values is stable: decided exactly, by the zeros of its conditions.
 ///
 /// # Errors
 /// When a parameter has no value.
-pub fn decide_step_at(step: &Step, growth: &Rational) -> Result<PointVerdict, SchemeError> {
+pub fn decide_step_at(step: &Step, growth: &Rational) -> Result<PointVerdict<Wave>, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));

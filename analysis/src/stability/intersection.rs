@@ -5,6 +5,7 @@ use super::inequality::Inequality;
 use super::limit::{Binding, Evidence, ExactValue, Limit};
 use super::margin::Margin;
 use super::stable_set::{StableInterval, StableSet};
+use super::wave::Wave;
 use super::{FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, search_within};
 use crate::exact::bernstein::{MarginForm, Sign, Work};
 use crate::exact::rational::{Rational, from_f64, simplest_between, to_f64};
@@ -17,7 +18,7 @@ pub(super) fn nowhere() -> StableSet {
         intervals: Vec::new(),
         undecided: Vec::new(),
         // Any wave will do.
-        immediately_unstable_phase: Some(std::f64::consts::FRAC_PI_2),
+        immediately_unstable: Some(Wave::along_a_line(std::f64::consts::FRAC_PI_2)),
         immediate_binding: None,
         immediate_offset: None,
         neutral: false,
@@ -31,7 +32,7 @@ pub(super) fn nowhere() -> StableSet {
 pub(super) fn unknown(plan: &SearchPlan) -> StableSet {
     StableSet {
         undecided: vec![(0.0, to_f64(&plan.max))],
-        immediately_unstable_phase: None,
+        immediately_unstable: None,
         evidence: Evidence::Undecided,
         ..nowhere()
     }
@@ -45,7 +46,7 @@ fn everything(plan: &SearchPlan, evidence: Evidence) -> StableSet {
             to: Limit::unbounded(&plan.max, evidence),
         }],
         undecided: Vec::new(),
-        immediately_unstable_phase: None,
+        immediately_unstable: None,
         immediate_binding: None,
         immediate_offset: None,
         neutral: true,
@@ -132,11 +133,11 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
         result.work += found.work;
         let inside = |value: f64| value < interval.to.upper();
         result.undecided.extend(found.undecided.iter().filter(|(from, _)| inside(*from)));
-        if let Some(phase) = found.immediately_unstable_phase
+        if let Some(wave) = found.immediately_unstable
             && interval.from.upper() == 0.0
-            && result.immediately_unstable_phase.is_none()
+            && result.immediately_unstable.is_none()
         {
-            result.immediately_unstable_phase = Some(phase);
+            result.immediately_unstable = Some(wave);
             result.immediate_binding = Some(binding);
         }
         for other in found.intervals {

@@ -1,6 +1,7 @@
 //! Limits on the Courant number, each with its evidence.
 
 use super::conditions::Condition;
+use super::wave::Wave;
 use crate::exact::algebraic_number::AlgebraicNumber;
 use crate::exact::rational::{
     Rational, decimal_below, from_f64, integer, parse, square_root_enclosure, to_f64, to_f64_above,
@@ -8,6 +9,7 @@ use crate::exact::rational::{
 };
 use num_bigint::BigInt;
 use num_traits::Signed;
+use std::f64::consts::PI;
 
 /// Bits that settle the `f64` on either side of an irrational limit.
 const EXACT_BITS: u32 = 120;
@@ -45,9 +47,9 @@ impl Evidence {
 pub enum Cause {
     /// `φ → 0`.
     LongWave,
-    /// A phase strictly between 0 and π.
+    /// Any other: in one dimension a phase strictly between 0 and π.
     Interior,
-    /// `φ = π`, two particles per wavelength.
+    /// Two cells per wavelength, `φ = π`, along one axis or several.
     ShortestWave,
 }
 
@@ -61,10 +63,11 @@ impl Cause {
         }
     }
 
-    pub(crate) fn of_phase(phase: f64) -> Self {
-        if phase <= 0.0 {
+    pub(crate) fn of_wave(wave: &Wave) -> Self {
+        let (zero, shortest) = (|phase: &f64| *phase == 0.0, |phase: &f64| phase.abs() >= PI);
+        if wave.phases().iter().all(zero) {
             Self::LongWave
-        } else if phase >= std::f64::consts::PI {
+        } else if wave.phases().iter().all(|phase| zero(phase) || shortest(phase)) {
             Self::ShortestWave
         } else {
             Self::Interior
@@ -141,7 +144,7 @@ pub struct Limit {
     exact: Option<ExactValue>,
     root_of: Option<AlgebraicNumber>,
     evidence: Evidence,
-    critical_phase: Option<f64>,
+    critical_wave: Option<Wave>,
     binding_offset: Option<i64>,
     binding: Option<Binding>,
     included: bool,
@@ -186,7 +189,7 @@ impl Limit {
             exact: None,
             root_of: None,
             evidence,
-            critical_phase: None,
+            critical_wave: None,
             binding_offset: None,
             binding: None,
             included: true,
@@ -221,7 +224,11 @@ impl Limit {
     }
 
     pub(crate) fn at_phase(self, phase: f64) -> Self {
-        Self { critical_phase: Some(phase), ..self }
+        self.at_wave(Wave::along_a_line(phase))
+    }
+
+    pub(crate) fn at_wave(self, wave: Wave) -> Self {
+        Self { critical_wave: Some(wave), ..self }
     }
 
     pub(crate) fn at_offset(self, offset: i64) -> Self {
@@ -341,15 +348,19 @@ impl Limit {
         self.evidence
     }
 
-    /// The phase of the wave that binds, in radians; for a limit of 0 the wave that grows fastest as
-    /// `C → 0`.
+    /// The wave that binds; for a limit of 0 one that grows as `C → 0`, in one dimension the fastest.
+    pub fn critical_wave(&self) -> Option<&Wave> {
+        self.critical_wave.as_ref()
+    }
+
+    /// The phase of the wave that binds, in radians, in one dimension.
     pub fn critical_phase(&self) -> Option<f64> {
-        self.critical_phase
+        self.critical_wave.as_ref()?.phase()
     }
 
     /// Which wave binds.
     pub fn cause(&self) -> Option<Cause> {
-        self.critical_phase.map(Cause::of_phase)
+        self.critical_wave.as_ref().map(Cause::of_wave)
     }
 
     /// For monotonicity: the offset of the coefficient that turns negative.

@@ -17,7 +17,9 @@ mod pointwise;
 mod sampled;
 mod singular;
 mod stable_set;
+mod torus;
 pub mod verdict;
+mod wave;
 pub mod weak_instability;
 
 pub use accuracy_study::{AccuracyRow, LimitMethod, accuracy_study};
@@ -37,3 +39,5 @@ pub(crate) use stable_set::{
     FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, phase_of, phase_parameter,
     search_within,
 };
+pub use torus::TorusDemands;
+pub use wave::Wave;

@@ -90,7 +90,7 @@ impl Step {
         let mut set = StableSet {
             intervals: Vec::new(),
             undecided: Vec::new(),
-            immediately_unstable_phase: None,
+            immediately_unstable: None,
             immediate_binding: None,
             immediate_offset: most.first().filter(|c| c.starts_negative()).map(|c| c.offset),
             neutral: false,

@@ -9,13 +9,13 @@ use crate::exact::real_roots::real_roots;
 use crate::stability::margin::Margin;
 use num_traits::{Signed, Zero};
 
-/// Stable or not at one Courant number.
+/// Stable or not at one Courant number; a wave that grows is named by its `s = (1 − cos φ)/2`, or as a [`Wave`](super::Wave).
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum PointVerdict {
+pub enum PointVerdict<W = Rational> {
     /// No wave grows: proved.
     Stable,
-    /// The margin is negative at this `s = (1 − cos φ)/2`.
-    Unstable(Rational),
+    /// This wave grows: proved.
+    Unstable(W),
     /// The enclosures of the coefficients leave it open.
     Undecided,
 }

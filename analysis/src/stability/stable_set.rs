@@ -10,10 +10,11 @@ mod search;
 mod stable_stretch;
 mod unstable_stretch;
 
-use super::{Binding, Evidence, ExactValue, Limit};
+use super::{Binding, Evidence, ExactValue, Limit, Wave};
 use crate::exact::bernstein::Work;
 use crate::exact::rational::{Rational, from_f64, to_f64};
 use crate::stability::margin::Margin;
+pub(crate) use edge::fraction_or_root;
 use num_traits::{One, Zero};
 use search::Search;
 
@@ -39,8 +40,8 @@ pub struct StableSet {
     pub intervals: Vec<StableInterval>,
     /// Intervals of Courant numbers that could not be decided.
     pub undecided: Vec<(f64, f64)>,
-    /// The wave that grows fastest as `C → 0` when no small Courant number is stable, in radians.
-    pub immediately_unstable_phase: Option<f64>,
+    /// A wave that grows as `C → 0` when no small Courant number is stable: in one dimension the fastest.
+    pub immediately_unstable: Option<Wave>,
     /// The condition that fails at once, when no small Courant number is stable.
     pub immediate_binding: Option<Binding>,
     /// For monotonicity: the coefficient that is negative at once.
@@ -74,8 +75,8 @@ impl StableSet {
                     Some(offset) => zero.at_offset(offset),
                     None => zero,
                 };
-                match self.immediately_unstable_phase {
-                    Some(phase) => zero.at_phase(phase),
+                match &self.immediately_unstable {
+                    Some(wave) => zero.at_wave(wave.clone()),
                     None => zero,
                 }
             }
@@ -147,7 +148,7 @@ fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) 
                 to: Limit::beyond(max_courant, evidence),
             }],
             undecided: Vec::new(),
-            immediately_unstable_phase: None,
+            immediately_unstable: None,
             immediate_binding: None,
             immediate_offset: None,
             neutral: true,

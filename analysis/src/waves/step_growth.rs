@@ -114,7 +114,7 @@ pub(crate) fn growth_under(step: &Step, demands: &DemandsAt) -> Result<Growth, S
             cells(all.iter().map(DemandAt::zeros), zeros_of_discriminant(step, &chi))
         }
         DemandsAt::Nowhere => whole(true),
-        DemandsAt::Unknown => whole(false),
+        DemandsAt::Unknown | DemandsAt::OnTorus(_) => whole(false),
     };
     let grows = cells.iter().any(|cell| cell.grows);
     let stable = matches!(demands, DemandsAt::All(_)) && !grows;

@@ -20,7 +20,7 @@ fn elementary_symmetric(a: &BigInt, m: usize, b: &BigInt, k: usize) -> Vec<BigIn
 }
 
 /// `[C(n, 0), …, C(n, n)]`.
-pub(super) fn binomials(degree: usize) -> Vec<BigInt> {
+pub(crate) fn binomials(degree: usize) -> Vec<BigInt> {
     let mut row = vec![BigInt::one()];
     for index in 0..degree {
         let next = &row[index] * (degree - index) / (index + 1);
@@ -51,7 +51,7 @@ pub(super) fn scaled_bernstein(series: &CosineSeries<BigInt>, degree: usize) -> 
 ///
 /// Polar form: `t^j` becomes the `j`-th elementary symmetric mean of `k` copies of `to` and
 /// `degree − k` copies of `from`.
-pub(super) fn polar_weights(degree: usize, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
+pub(crate) fn polar_weights(degree: usize, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
     let common = common_denominator([from, to]);
     let (from, to) = (numerator_over(from, &common), numerator_over(to, &common));
     let choices = binomials(degree);

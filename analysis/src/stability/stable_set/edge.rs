@@ -214,7 +214,7 @@ fn touching_point(margin: &Margin, guess: Critical, bits: u32) -> Option<Rationa
 
 /// The root at an end of the phase range, where it may be a fraction: the simplest fraction within a
 /// narrow enclosure is tried. A multiple root, which Newton's method does not enclose, goes to Sturm.
-fn fraction_or_root(
+pub(crate) fn fraction_or_root(
     coefficients: Vec<BigInt>,
     guess: f64,
     from: &Rational,

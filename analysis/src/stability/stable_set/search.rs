@@ -9,7 +9,7 @@ use crate::exact::real_roots::power_of_two;
 use crate::stability::critical::{UnstableInterval, resolving_phases, sampled_unstable_set};
 use crate::stability::critical_polynomial::CriticalPolynomials;
 use crate::stability::margin::{CompiledMargin, Margin};
-use crate::stability::{Evidence, Limit};
+use crate::stability::{Evidence, Limit, Wave};
 use num_bigint::BigInt;
 use num_traits::Zero;
 use std::cell::OnceCell;
@@ -93,7 +93,7 @@ impl<'a> Search<'a> {
     pub(super) fn run(mut self, max_courant: &Rational, evidence: Evidence) -> StableSet {
         let mut intervals = Vec::new();
         let mut undecided = Vec::new();
-        let mut immediately_unstable_phase = None;
+        let mut immediately_unstable = None;
         let mut from = Edge::zero();
         let mut reached = self.known.clone();
         for _ in 0..MAX_STRETCHES {
@@ -137,7 +137,8 @@ impl<'a> Search<'a> {
                 }
                 Stretch::Empty(s) => {
                     if from.upper.is_zero() {
-                        immediately_unstable_phase = Some(self.fastest_growing_phase());
+                        immediately_unstable =
+                            Some(Wave::along_a_line(self.fastest_growing_phase()));
                     }
                     s
                 }
@@ -165,7 +166,7 @@ impl<'a> Search<'a> {
         StableSet {
             intervals,
             undecided,
-            immediately_unstable_phase,
+            immediately_unstable,
             immediate_binding: None,
             immediate_offset: None,
             neutral: false,

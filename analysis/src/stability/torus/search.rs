@@ -1,0 +1,234 @@
+//! Exact decisions about stretches of `t = C^stride`, all waves at once.
+
+use super::TorusInequality;
+use super::cell::rounded;
+use super::guess::{Critical, Guesses, Spot};
+use crate::exact::bernstein::{Work, is_negative_integer_polynomial};
+use crate::exact::polynomial::Polynomial;
+use crate::exact::rational::{Rational, from_f64, integer, simplest_between, to_f64};
+use crate::exact::real_roots::{RealRoot, power_of_two, real_roots};
+use crate::exact::tensor::{CubeSign, sign_on_cube};
+use crate::stability::stable_set::fraction_or_root;
+use num_bigint::BigInt;
+use num_traits::{Signed, Zero};
+use std::collections::VecDeque;
+
+/// Boxes of one decision, and of all together.
+const MOST_BOXES: usize = 4000;
+const MOST_BOXES_IN_ALL: usize = 60_000;
+
+/// Pieces a stretch of `t` may be cut into.
+const MOST_PIECES: usize = 400;
+
+/// Coordinates of a wave are taken as a fraction with so small a denominator, where one is this near.
+const SIMPLE: i64 = 16;
+const NEAR_SIMPLE: f64 = 1e-5;
+
+/// Bits of the coordinates of other waves: a wave next to the binding one binds later by the square of its distance.
+const WAVE_BITS: u32 = 60;
+
+/// A wave as an exact point of a cell.
+#[derive(Debug, Clone)]
+pub(super) struct ExactSpot {
+    pub(super) inequality: usize,
+    pub(super) cell: usize,
+    pub(super) point: Vec<Rational>,
+}
+
+/// Where instability begins or ends: nothing is claimed strictly between the two values of `t`.
+#[derive(Debug, Clone)]
+pub(super) struct Edge {
+    pub(super) lower: Rational,
+    pub(super) upper: Rational,
+    pub(super) spot: Option<ExactSpot>,
+}
+
+/// What stands against the stability of a stretch.
+pub(super) enum Objection {
+    /// This wave is unstable at this `t`.
+    Wave(ExactSpot, Rational),
+    /// The work that is allowed does not suffice.
+    Budget,
+}
+
+pub(super) struct Search<'a> {
+    pub(super) inequalities: &'a [TorusInequality],
+    pub(super) guesses: Guesses,
+    pub(super) end: Rational,
+    /// The relative width of enclosures, as a power of one half.
+    pub(super) bits: u32,
+    budget: usize,
+    pub(super) work: Work,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        inequalities: &'a [TorusInequality],
+        end: Rational,
+        bits: u32,
+        budget: usize,
+    ) -> Self {
+        let guesses = Guesses::new(inequalities, to_f64(&end));
+        Self { inequalities, guesses, end, bits: bits.max(8), budget, work: Work::default() }
+    }
+
+    /// Whether all conditions hold for all waves and all `t` of a stretch, ends included: proved.
+    pub(super) fn is_stable(&mut self, from: &Rational, to: &Rational) -> Result<(), Objection> {
+        let all = self.inequalities.iter().enumerate();
+        let all = all.flat_map(|(i, one)| (0..one.cells.len()).map(move |cell| (i, cell)));
+        let task = |(inequality, cell)| (inequality, cell, from.clone(), to.clone());
+        let mut pending: VecDeque<_> = all.map(task).collect();
+        let mut pieces = MOST_PIECES.min(self.budget);
+        while let Some((inequality, cell, lower, upper)) = pending.pop_front() {
+            match self.sign(inequality, cell, &lower, &upper)? {
+                true => {}
+                false if pieces == 0 || lower == upper => return Err(Objection::Budget),
+                false => {
+                    pieces -= 1;
+                    let middle = (&lower + &upper) / integer(2);
+                    pending.push_back((inequality, cell, lower, middle.clone()));
+                    pending.push_back((inequality, cell, middle, upper));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a condition holds on a cell for a whole stretch; `false` where a shorter stretch may say more.
+    fn sign(
+        &mut self,
+        inequality: usize,
+        cell: usize,
+        from: &Rational,
+        to: &Rational,
+    ) -> Result<bool, Objection> {
+        let rows = if from == to {
+            vec![self.inequalities[inequality].cells[cell].at_parameter(from)]
+        } else {
+            self.inequalities[inequality].cells[cell].between(from, to)
+        };
+        let last = rows.len() - 1;
+        let mut holds = true;
+        // The ends first: there a negative value is a counterexample.
+        let order = [0, last].into_iter().chain(1..last);
+        for index in order.take(rows.len()) {
+            if self.work.boxes >= MOST_BOXES_IN_ALL.min(self.budget) {
+                return Err(Objection::Budget);
+            }
+            let (sign, boxes) = sign_on_cube(&rows[index], MOST_BOXES.min(self.budget));
+            self.work.boxes += boxes;
+            match sign {
+                CubeSign::NowhereNegative => {}
+                CubeSign::NegativeAt(point) if index == 0 || index == last => {
+                    let spot = ExactSpot { inequality, cell, point };
+                    let t = if index == 0 { from } else { to };
+                    return Err(Objection::Wave(spot, t.clone()));
+                }
+                _ => {
+                    holds = false;
+                    if index != 0 && index != last {
+                        break;
+                    }
+                }
+            }
+        }
+        Ok(holds)
+    }
+
+    /// Whether the stretch from the end of the range to infinity is stable.
+    pub(super) fn is_stable_beyond(&mut self) -> bool {
+        if self.end.is_zero() {
+            return false;
+        }
+        let reversed = |one: &TorusInequality| TorusInequality {
+            cells: one.cells.iter().map(|cell| cell.reversed()).collect(),
+            ..one.clone()
+        };
+        let inequalities: Vec<TorusInequality> = self.inequalities.iter().map(reversed).collect();
+        let mut mirrored = Search {
+            inequalities: &inequalities,
+            guesses: Guesses::new(&[], 0.0),
+            end: self.end.recip(),
+            bits: self.bits,
+            budget: self.budget,
+            work: Work::default(),
+        };
+        let end = mirrored.end.clone();
+        let stable = mirrored.is_stable(&Rational::zero(), &end).is_ok();
+        self.work += mirrored.work;
+        stable
+    }
+
+    /// The condition at a wave, as a polynomial in `t`.
+    pub(super) fn at_spot(&mut self, spot: &ExactSpot) -> Vec<BigInt> {
+        self.work.evaluations += 1;
+        self.inequalities[spot.inequality].cells[spot.cell].at_point(&spot.point)
+    }
+
+    /// A sample as an exact wave: a simple one if it is next to one.
+    pub(super) fn exact_spots(&self, spot: &Spot) -> Vec<ExactSpot> {
+        let at = |point: Vec<Rational>| ExactSpot {
+            inequality: spot.inequality,
+            cell: spot.cell,
+            point,
+        };
+        let simple = |x: &f64| -> Option<Rational> {
+            if *x <= NEAR_SIMPLE {
+                return Some(integer(0));
+            }
+            let nearest = simplest_between(
+                &from_f64(x - NEAR_SIMPLE)?,
+                &from_f64((x + NEAR_SIMPLE).min(1.0))?,
+            );
+            (*nearest.denom() <= SIMPLE.into()).then_some(nearest)
+        };
+        let near: Vec<Rational> = spot
+            .point
+            .iter()
+            .map(|x| simple(x).unwrap_or_else(|| rounded(*x, WAVE_BITS)))
+            .collect();
+        let plain: Vec<Rational> = spot.point.iter().map(|x| rounded(*x, WAVE_BITS)).collect();
+        if near == plain { vec![at(near)] } else { vec![at(near), at(plain)] }
+    }
+
+    /// The `t` at which the wave of a guess becomes unstable (or stable again), exactly or enclosed.
+    pub(super) fn edge(&mut self, guess: &Critical) -> Option<Edge> {
+        if guess.parameter <= 0.0 {
+            return None;
+        }
+        let from = from_f64(guess.parameter * (1.0 - 1e-6))?;
+        let to = from_f64(guess.parameter * (1.0 + 1e-6))?.min(self.end.clone());
+        for spot in self.exact_spots(&guess.spot) {
+            let coefficients = self.at_spot(&spot);
+            let root = fraction_or_root(coefficients, guess.parameter, &from, &to, self.bits + 20);
+            let near = |root: &RealRoot| (to_f64(&root.lower) / guess.parameter - 1.0).abs() < 1e-8;
+            if let Some(root) = root.filter(near) {
+                return Some(Edge { lower: root.lower, upper: root.upper, spot: Some(spot) });
+            }
+        }
+        None
+    }
+
+    /// Up to which `t` a wave is unstable, from just above another one on; `None` when it is not.
+    pub(super) fn unstable_until(&mut self, from: &Rational, spot: &ExactSpot) -> Option<Rational> {
+        let coefficients = self.at_spot(spot);
+        let polynomial =
+            Polynomial::new(coefficients.iter().cloned().map(Rational::from).collect());
+        let tiny = power_of_two(-60);
+        let start = if from.is_zero() { &self.end * &tiny } else { from * (integer(1) + tiny) };
+        if is_negative_integer_polynomial(&coefficients, from, &start) != Some(true) {
+            return None;
+        }
+        let roots = real_roots(&polynomial, &start, &self.end, 40);
+        let negative_at = |t: &Rational| polynomial.evaluate(t).is_negative();
+        // A root that is only touched leaves the sign as it is.
+        for root in &roots {
+            let beyond = &root.upper * (integer(1) + power_of_two(-50));
+            if !negative_at(&beyond) || negative_at(&root.lower) == root.exact().is_some() {
+                let before = &root.lower * (integer(1) - power_of_two(-50));
+                return Some(if root.exact().is_some() { before } else { root.lower.clone() });
+            }
+        }
+        Some(self.end.clone())
+    }
+}

@@ -1,0 +1,321 @@
+//! The walk along the parameter: stable stretch, edge, unstable stretch, edge, …
+
+use super::TorusDemands;
+use super::guess::{Critical, Spot};
+use super::search::{Edge, ExactSpot, Objection, Search};
+use crate::exact::rational::{
+    Rational, integer, square_root_enclosure, to_f64, to_f64_above, to_f64_below,
+};
+use crate::exact::real_roots::power_of_two;
+use crate::stability::stable_set::{StableInterval, StableSet};
+use crate::stability::{Evidence, ExactValue, Limit, SearchPlan, Wave};
+use num_traits::{Signed, Zero};
+
+/// How many stretches of one kind are followed before the rest is left undecided.
+const MOST_STRETCHES: usize = 64;
+
+/// How often a guess that a counterexample disproves is replaced.
+const MOST_GUESSES: usize = 12;
+
+/// Waves that one unstable stretch may need.
+const MOST_WAVES: usize = 400;
+
+/// Samples that are tried exactly, the most promising first.
+const MOST_TRIED: usize = 8;
+
+/// The relative width of an enclosure that is tried at last, as a power of one half.
+const LAST_WIDTH: u32 = 20;
+
+/// Ends nearer than this are one.
+const SAME: f64 = 1e-8;
+
+/// Where all conditions hold, by the values of a parameter `C` with `t = C^stride`.
+pub(crate) fn stable_set_on_torus(demands: &TorusDemands, plan: &SearchPlan) -> StableSet {
+    let TorusDemands { inequalities, stride } = demands;
+    let stride = *stride;
+    let end = plan.max.pow(stride as i32);
+    let search = Search::new(inequalities, end, plan.bits, plan.budget);
+    Walk { search, stride, plan }.run()
+}
+
+struct Walk<'a> {
+    search: Search<'a>,
+    stride: usize,
+    plan: &'a SearchPlan,
+}
+
+enum Stretch {
+    /// Stable to the end of the range.
+    Continues,
+    /// Stable up to here.
+    Ends(Edge),
+    /// Unstable at once.
+    Empty(ExactSpot),
+    /// Not decided between these.
+    Undecided(Rational, Rational),
+}
+
+impl Walk<'_> {
+    fn run(mut self) -> StableSet {
+        let mut set = StableSet {
+            intervals: Vec::new(),
+            undecided: Vec::new(),
+            immediately_unstable: None,
+            immediate_binding: None,
+            immediate_offset: None,
+            neutral: self.search.inequalities.iter().all(|one| one.cells.is_empty()),
+            evidence: Evidence::Proved,
+            work: Default::default(),
+            at_zero: true,
+        };
+        let zero = Edge { lower: Rational::zero(), upper: Rational::zero(), spot: None };
+        let mut from = zero.clone();
+        let mut reached = self.plan.known.pow(self.stride as i32).min(self.search.end.clone());
+        for _ in 0..MOST_STRETCHES {
+            let spot = match self.stable_stretch(&reached) {
+                Stretch::Continues => {
+                    let to = if self.search.is_stable_beyond() {
+                        Limit::unbounded(&self.plan.max, Evidence::Proved)
+                    } else {
+                        Limit::beyond(&self.plan.max, Evidence::Proved)
+                    };
+                    set.intervals.push(StableInterval { from: self.limit(&from), to });
+                    break;
+                }
+                Stretch::Undecided(lower, upper) => {
+                    let open = self.values(&lower, &upper);
+                    if lower > from.upper {
+                        let to = Limit::between(open.0, open.1, Evidence::Undecided);
+                        set.intervals.push(StableInterval { from: self.limit(&from), to });
+                    }
+                    set.undecided.push(open);
+                    break;
+                }
+                Stretch::Empty(spot) => {
+                    if reached > from.upper {
+                        let edge = Edge {
+                            lower: reached.clone(),
+                            upper: reached.clone(),
+                            spot: Some(spot.clone()),
+                        };
+                        let (start, to) = (self.limit(&from), self.limit(&edge));
+                        set.intervals.push(StableInterval { from: start, to });
+                        from = edge;
+                    } else if reached.is_zero() {
+                        set.immediately_unstable = Some(self.wave(&spot));
+                        let binding = self.search.inequalities[spot.inequality].binding;
+                        set.immediate_binding = Some(binding);
+                    }
+                    spot
+                }
+                Stretch::Ends(edge) => {
+                    let interval =
+                        StableInterval { from: self.limit(&from), to: self.limit(&edge) };
+                    set.intervals.push(interval);
+                    from = edge.clone();
+                    edge.spot.expect("stability ends by a wave")
+                }
+            };
+            match self.unstable_stretch(&from.upper.clone(), spot) {
+                Ok(None) => break,
+                Ok(Some(edge)) => {
+                    reached = edge.upper.clone();
+                    from = edge;
+                }
+                Err(gap) => {
+                    let open = self.values(&gap, &self.search.end.clone());
+                    set.undecided.push(open);
+                    break;
+                }
+            }
+        }
+        set.work = self.search.work;
+        set
+    }
+
+    /// From a value on that is stable, or the start.
+    fn stable_stretch(&mut self, reached: &Rational) -> Stretch {
+        let at = to_f64(reached);
+        let mut guess = loop {
+            match self.search.guesses.next_unstable(at * (1.0 + SAME)) {
+                None => break None,
+                Some((from, _)) if from.parameter <= at * (1.0 + SAME) => {
+                    if let Some(spot) = self.unstable_at_once(reached) {
+                        return Stretch::Empty(spot);
+                    }
+                    // A rounding: no such wave is unstable.
+                    self.search.guesses.discard(at * (1.0 + SAME));
+                }
+                Some((from, _)) => break Some(self.search.guesses.refined(&from, true)),
+            }
+        };
+        for _ in 0..MOST_GUESSES {
+            let Some(critical) = &guess else {
+                let end = self.search.end.clone();
+                match self.search.is_stable(reached, &end) {
+                    Ok(()) => return Stretch::Continues,
+                    Err(Objection::Budget) => return Stretch::Undecided(reached.clone(), end),
+                    Err(Objection::Wave(spot, t)) => guess = self.of_counterexample(&spot, &t),
+                }
+                continue;
+            };
+            let Some(edge) = self.search.edge(critical) else { break };
+            match self.closed(reached, edge) {
+                Ok(edge) => return Stretch::Ends(edge),
+                Err(Objection::Budget) => break,
+                Err(Objection::Wave(spot, t)) => {
+                    if t == *reached {
+                        return Stretch::Empty(spot);
+                    }
+                    guess = self.of_counterexample(&spot, &t);
+                }
+            }
+        }
+        // What can be proved of it: halves towards the start.
+        let mut to = guess.as_ref().map_or(self.search.end.clone(), |critical| {
+            crate::exact::rational::from_f64(critical.parameter).unwrap_or_default()
+        });
+        for _ in 0..4 {
+            to = (reached + &to) / integer(2);
+            if self.search.is_stable(reached, &to).is_ok() {
+                return Stretch::Undecided(to, self.search.end.clone());
+            }
+        }
+        Stretch::Undecided(reached.clone(), self.search.end.clone())
+    }
+
+    /// A wave that is unstable just above a value: proved.
+    fn unstable_at_once(&mut self, reached: &Rational) -> Option<ExactSpot> {
+        let samples: Vec<Spot> = self.search.guesses.unstable_above(to_f64(reached));
+        samples.iter().take(MOST_TRIED).find_map(|sample| {
+            let mut spots = self.search.exact_spots(sample).into_iter();
+            spots.find(|spot| self.search.unstable_until(reached, spot).is_some())
+        })
+    }
+
+    /// An edge up to which everything is proved stable: the exact one, else one a little lower.
+    fn closed(&mut self, reached: &Rational, edge: Edge) -> Result<Edge, Objection> {
+        if edge.lower == edge.upper && self.search.is_stable(reached, &edge.lower).is_ok() {
+            return Ok(edge);
+        }
+        let (bits, mut last) = (self.search.bits, Objection::Budget);
+        let widths = std::iter::successors(Some(bits), |bits| Some(bits - (bits / 6).max(3)));
+        for width in widths.take_while(|&bits| bits >= LAST_WIDTH) {
+            let lower = &edge.lower * (integer(1) - power_of_two(-i64::from(width)));
+            if lower <= *reached {
+                break;
+            }
+            match self.search.is_stable(reached, &lower) {
+                Ok(()) => return Ok(Edge { lower, ..edge }),
+                Err(objection) => last = objection,
+            }
+        }
+        Err(last)
+    }
+
+    /// The guess that a counterexample suggests.
+    fn of_counterexample(&mut self, spot: &ExactSpot, t: &Rational) -> Option<Critical> {
+        let point = spot.point.iter().map(to_f64).collect();
+        let spot = Spot { inequality: spot.inequality, cell: spot.cell, point };
+        let guess = Critical { parameter: to_f64(t), spot };
+        Some(self.search.guesses.refined(&guess, true))
+    }
+
+    /// Waves that are unstable one after the other: up to the edge where stability returns, `None` to the end of the range. The error is
+    /// the value from which on nothing is known.
+    fn unstable_stretch(
+        &mut self,
+        from: &Rational,
+        first: ExactSpot,
+    ) -> Result<Option<Edge>, Rational> {
+        let mut first = Some(first);
+        let mut reached = loop {
+            // The wave of the edge may only touch it; then another one grows beyond.
+            let spot = first.take().or_else(|| self.unstable_at_once(from));
+            let spot = spot.ok_or_else(|| from.clone())?;
+            if let Some(until) = self.search.unstable_until(from, &spot) {
+                break until;
+            }
+        };
+        for _ in 0..MOST_WAVES {
+            if reached >= self.search.end {
+                return Ok(None);
+            }
+            let at = to_f64(&reached);
+            let candidates = self.search.guesses.unstable_above(at);
+            let further = candidates.iter().take(MOST_TRIED).find_map(|spot| {
+                let [.., plain] = &self.search.exact_spots(spot)[..] else { return None };
+                let until = self.search.unstable_until(&reached, plain)?;
+                (until > reached).then_some(until)
+            });
+            match further {
+                Some(until) => reached = until,
+                None => return self.end_of_instability(&reached).map(Some),
+            }
+        }
+        Err(reached)
+    }
+
+    /// The edge beyond which no sample is unstable.
+    fn end_of_instability(&mut self, reached: &Rational) -> Result<Edge, Rational> {
+        let at = to_f64(reached);
+        let unstable = self.search.guesses.next_unstable(at * (1.0 - SAME));
+        let (from, to) = unstable.ok_or_else(|| reached.clone())?;
+        if from.parameter > at || to.parameter > at * (1.0 + SAME) {
+            return Err(reached.clone());
+        }
+        let refined = self.search.guesses.refined(&to, false);
+        let edge = self.search.edge(&refined).ok_or_else(|| reached.clone())?;
+        // Unstable as far as the wave of the edge is; stable from a little above it on.
+        let spot = edge.spot.clone().ok_or_else(|| reached.clone())?;
+        let until = self.search.unstable_until(&reached.clone(), &spot);
+        let lower = until.map_or(reached.clone(), |until| until.min(edge.lower.clone()));
+        let bits = i64::from(self.search.bits);
+        for width in [bits, bits - 12, bits - 20] {
+            let upper = &edge.upper * (integer(1) + power_of_two(-width));
+            let beyond = &upper * (integer(1) + power_of_two(6 - width));
+            if self.search.is_stable(&upper, &beyond).is_ok() {
+                return Ok(Edge { lower, upper, spot: Some(spot) });
+            }
+        }
+        Err(lower)
+    }
+
+    fn wave(&self, spot: &ExactSpot) -> Wave {
+        self.search.inequalities[spot.inequality].cells[spot.cell].wave(&spot.point)
+    }
+
+    /// An edge in `t` as a limit on the parameter.
+    fn limit(&self, edge: &Edge) -> Limit {
+        let evidence = Evidence::Proved;
+        if !edge.upper.is_positive() {
+            return Limit::exactly(ExactValue::Fraction(Rational::zero()), evidence);
+        }
+        let limit = match (edge.lower == edge.upper, self.stride) {
+            (true, 2) => Limit::exactly(ExactValue::square_root(edge.lower.clone()), evidence),
+            (true, _) => Limit::exactly(ExactValue::Fraction(edge.lower.clone()), evidence),
+            (false, _) => {
+                let (lower, upper) = self.enclosure(&edge.lower, &edge.upper);
+                Limit::enclosed(lower, upper, evidence)
+            }
+        };
+        match &edge.spot {
+            Some(spot) => limit
+                .at_wave(self.wave(spot))
+                .bound_by(self.search.inequalities[spot.inequality].binding),
+            None => limit,
+        }
+    }
+
+    fn enclosure(&self, lower: &Rational, upper: &Rational) -> (Rational, Rational) {
+        match self.stride {
+            2 => square_root_enclosure(lower, upper, self.search.bits + 20),
+            _ => (lower.clone(), upper.clone()),
+        }
+    }
+
+    fn values(&self, lower: &Rational, upper: &Rational) -> (f64, f64) {
+        let (lower, upper) = self.enclosure(lower, upper);
+        (to_f64_below(&lower), to_f64_above(&upper))
+    }
+}
