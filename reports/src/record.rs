@@ -66,13 +66,16 @@ pub struct LimitRecord {
     /// How many phases a sampled limit looked at.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub phases: Option<usize>,
-    /// The phase that binds, in radians.
-    pub critical_phase: Option<f64>,
+    /// The phase that binds, in radians; a list in two and three dimensions.
+    pub critical_phase: Option<Phases>,
+    /// The direction along which the wave that binds varies, a unit vector, in two and three dimensions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub critical_direction: Option<Vec<f64>>,
     /// `long-wave`, `interior` or `shortest-wave`.
     pub cause: Option<&'static str>,
     /// For monotonicity: the offset of the coefficient that turns negative.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub binding_offset: Option<i64>,
+    pub binding_offset: Option<Offset>,
     /// The condition on the multipliers that fails beyond.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub binding: Option<String>,
@@ -86,6 +89,64 @@ pub struct LimitRecord {
     /// Why the value is `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
+}
+
+/// The phases of a wave: a number in one dimension, a list in more.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Phases {
+    /// Along a line.
+    One(f64),
+    /// Along each axis.
+    Each(Vec<f64>),
+}
+
+impl Phases {
+    /// Of a wave.
+    pub fn of(wave: &Wave) -> Self {
+        match wave.phases() {
+            [phase] => Self::One(*phase),
+            phases => Self::Each(phases.to_vec()),
+        }
+    }
+}
+
+impl std::fmt::Display for Phases {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::One(phase) => write!(formatter, "{phase}"),
+            Self::Each(phases) => {
+                let texts: Vec<String> = phases.iter().map(ToString::to_string).collect();
+                write!(formatter, "{}", texts.join(";"))
+            }
+        }
+    }
+}
+
+/// The unit vector along which a wave of several dimensions varies; `None` in one dimension, or for a constant.
+pub fn direction_of(wave: &Wave) -> Option<Vec<f64>> {
+    let direction = wave.direction();
+    let is_one = direction.len() > 1 && direction.iter().any(|x| *x != 0.0);
+    is_one.then(|| direction.to_vec())
+}
+
+/// The offset of a coefficient: a number in one dimension, a list in more.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
+pub enum Offset {
+    /// Along a line.
+    One(i64),
+    /// Along each axis.
+    Each(Vec<i64>),
+}
+
+impl Offset {
+    fn of(offset: &[i64]) -> Self {
+        match offset {
+            [offset] => Self::One(*offset),
+            offsets => Self::Each(offsets.to_vec()),
+        }
+    }
 }
 
 impl LimitRecord {
@@ -111,9 +172,10 @@ impl LimitRecord {
                 Evidence::Sampled { phases } => Some(phases),
                 Evidence::Proved | Evidence::Enclosed | Evidence::Undecided => None,
             },
-            critical_phase: limit.critical_phase(),
+            critical_phase: limit.critical_wave().map(Phases::of),
+            critical_direction: limit.critical_wave().and_then(direction_of),
             cause: limit.cause().map(|cause| cause.name()),
-            binding_offset: limit.binding_offset(),
+            binding_offset: limit.binding_offset().map(Offset::of),
             binding: limit.binding().map(|binding| binding.name()),
             included: limit.is_included() && !unlimited,
             unbounded: unlimited && !undecided,

@@ -74,7 +74,7 @@ pub fn limit_cells(limit: Option<&LimitRecord>) -> Vec<String> {
         text(&limit.exact),
         limit.equation.as_ref().map(|equation| equation.text.clone()).unwrap_or_default(),
         limit.evidence.into(),
-        number(limit.critical_phase),
+        limit.critical_phase.as_ref().map_or_else(String::new, ToString::to_string),
         limit.cause.unwrap_or_default().into(),
         text(&limit.binding),
         limit.included.to_string(),

@@ -1,14 +1,17 @@
 //! Limits as people read them.
 
 use courant::analysis::exact::rational::{decimal_below, from_f64};
-use courant::analysis::stability::{Evidence, Limit, StableSet};
+use courant::analysis::stability::{Evidence, Limit, StableSet, Wave};
 use courant::reports::number::significant;
-use courant::reports::record::exact_latex;
+use courant::reports::record::{direction_of, exact_latex};
 use courant::reports::table::Cell;
 use std::f64::consts::PI;
 
 /// Digits shown when no number of them is asked for.
 pub const DEFAULT_DIGITS: usize = 11;
+
+/// The names of the axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The longest closed form that a column has room for.
 const LONGEST_EXACT: usize = 18;
@@ -72,20 +75,56 @@ pub fn exact_below(limit: &Limit, symbol: &str) -> Option<String> {
     }
 }
 
-/// The wave that binds, by its length in spacings.
+/// The wave that binds, by its length in spacings and, in several dimensions, its direction.
 pub fn wave(limit: &Limit) -> String {
-    match (limit.cause(), limit.critical_phase()) {
-        (Some(cause), Some(phase)) if phase > 0.0 => {
-            format!("{}, {} Δ", cause.name(), length(phase))
-        }
-        (Some(cause), _) => cause.name().into(),
-        (None, _) => "–".into(),
+    let (Some(cause), Some(wave)) = (limit.cause(), limit.critical_wave()) else {
+        return "–".into();
+    };
+    let long = wave.phases().iter().all(|phase| *phase == 0.0);
+    let length = if long { String::new() } else { format!(", {} Δ", wavelength(wave)) };
+    let direction = direction(wave).map_or_else(String::new, |text| format!(" {text}"));
+    format!("{}{length}{direction}", cause.name())
+}
+
+/// From crest to crest, in spacings.
+pub fn wavelength(wave: &Wave) -> String {
+    match wave.phase() {
+        Some(phase) => length(phase),
+        None => significant(wave.wavelength(), 4),
     }
+}
+
+/// Along which direction a wave of several dimensions varies: `along x`, `along the diagonal`, `along (0.8, 0.6)`.
+pub fn direction(wave: &Wave) -> Option<String> {
+    let direction = direction_of(wave)?;
+    let same = |a: f64, b: f64| (a.abs() - b.abs()).abs() < 1e-6;
+    let active: Vec<usize> = (0..direction.len()).filter(|&a| direction[a].abs() > 1e-6).collect();
+    let equal = active.iter().all(|&axis| same(direction[axis], direction[active[0]]));
+    Some(match active.as_slice() {
+        [axis] => format!("along {}", AXES[*axis]),
+        all if equal && all.len() == direction.len() => "along the diagonal".into(),
+        all if equal => {
+            let plane: String = all.iter().map(|&axis| AXES[axis]).collect();
+            format!("along the {plane} diagonal")
+        }
+        _ => {
+            let parts: Vec<String> = direction.iter().map(|x| significant(*x, 3)).collect();
+            format!("along ({})", parts.join(", "))
+        }
+    })
 }
 
 /// The length of a wave in spacings.
 pub fn length(phase: f64) -> String {
     if phase >= PI { "2".into() } else { significant(2.0 * PI / phase, 4) }
+}
+
+/// `-1`, or `(-1, 0)`.
+fn offset(offset: &[i64]) -> String {
+    match offset {
+        [k] => k.to_string(),
+        all => format!("({})", all.iter().map(i64::to_string).collect::<Vec<_>>().join(", ")),
+    }
 }
 
 /// All values of a set: `{0} ∪ [1, ∞)`.
@@ -140,11 +179,11 @@ pub fn describe(limit: &Limit, symbol: &str, asked: Option<usize>) -> String {
         .closed_form()
         .filter(|text| text.len() <= 24 && text.contains(['/', '(']))
         .map_or_else(String::new, |text| format!(" = {text}"));
-    let wave = match limit.critical_phase() {
+    let wave = match limit.critical_wave() {
         Some(_) => format!(", {}", wave(limit)),
         None => limit
             .binding_offset()
-            .map_or_else(String::new, |k| format!(", coefficient of offset {k}")),
+            .map_or_else(String::new, |k| format!(", coefficient of offset {}", offset(k))),
     };
     let digits = digits(limit, asked, 12);
     format!("{digits}{exact} ({}{wave})", limit.evidence().name())

@@ -43,7 +43,24 @@ impl Step {
         let (coefficients, keeps_constants) = expansion::coefficients(self, variable)?;
         Some(OneStep { parameter: parameter.into(), coefficients, keeps_constants })
     }
+
+    /// The coefficients with their offsets along every axis, in any number of dimensions, and how far each may be from the true one; `None`
+    /// as from [`one_step`](Self::one_step).
+    pub(crate) fn coefficients(&self, parameter: &str) -> Option<Vec<OffsetCoefficient>> {
+        if self.dimension == 1 {
+            let all = self.one_step(parameter)?.coefficients.into_iter();
+            return Some(all.map(|(k, center, radius)| (vec![k], center, radius)).collect());
+        }
+        let only = self.free_parameters().iter().all(|name| name == parameter);
+        if !only || self.names.letters().next().is_some() {
+            return None;
+        }
+        expansion::coefficients_on_torus(self, self.names.parameter(parameter)?)
+    }
 }
+
+/// The offset of a coefficient, the coefficient in powers of the parameter, and how far each power may be from the true one.
+pub(crate) type OffsetCoefficient = (Vec<i64>, Polynomial<Rational>, Polynomial<Rational>);
 
 impl OneStep {
     /// Whether all coefficients are known exactly.

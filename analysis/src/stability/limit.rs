@@ -145,7 +145,7 @@ pub struct Limit {
     root_of: Option<AlgebraicNumber>,
     evidence: Evidence,
     critical_wave: Option<Wave>,
-    binding_offset: Option<i64>,
+    binding_offset: Option<Vec<i64>>,
     binding: Option<Binding>,
     included: bool,
     unbounded: bool,
@@ -231,7 +231,7 @@ impl Limit {
         Self { critical_wave: Some(wave), ..self }
     }
 
-    pub(crate) fn at_offset(self, offset: i64) -> Self {
+    pub(crate) fn at_offset(self, offset: Vec<i64>) -> Self {
         Self { binding_offset: Some(offset), ..self }
     }
 
@@ -364,8 +364,8 @@ impl Limit {
     }
 
     /// For monotonicity: the offset of the coefficient that turns negative.
-    pub fn binding_offset(&self) -> Option<i64> {
-        self.binding_offset
+    pub fn binding_offset(&self) -> Option<&[i64]> {
+        self.binding_offset.as_deref()
     }
 
     /// The condition that fails beyond.

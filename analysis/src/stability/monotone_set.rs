@@ -18,7 +18,7 @@ const ROOT_BITS: u32 = 200;
 
 /// A coefficient at an offset, or the least or greatest it may be, without the power of the parameter that divides it.
 struct Coefficient {
-    offset: i64,
+    offset: Vec<i64>,
     polynomial: Polynomial<Rational>,
 }
 
@@ -65,16 +65,16 @@ impl Step {
         if !open.is_empty() {
             return Err(SchemeError::NotSet(open));
         }
-        let Some(one_step) = self.one_step(parameter) else { return Ok(None) };
-        let evidence = if one_step.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
-        let open: Vec<_> = one_step
-            .coefficients
+        let Some(coefficients) = self.coefficients(parameter) else { return Ok(None) };
+        let exact = coefficients.iter().all(|(_, _, radius)| radius.is_zero());
+        let evidence = if exact { Evidence::Proved } else { Evidence::Enclosed };
+        let open: Vec<_> = coefficients
             .iter()
             .filter(|(_, center, radius)| !is_plainly_non_negative(center, radius))
             .collect();
         let bound = |sign: i64| {
             let bounds = open.iter().map(|(offset, center, radius)| {
-                Coefficient::new(*offset, center.clone() + radius.scale(&integer(sign)))
+                Coefficient::new(offset.clone(), center.clone() + radius.scale(&integer(sign)))
             });
             // Coefficients that are negative at once come first: most often they end the search.
             let mut bounds: Vec<_> = bounds.collect();
@@ -92,7 +92,10 @@ impl Step {
             undecided: Vec::new(),
             immediately_unstable: None,
             immediate_binding: None,
-            immediate_offset: most.first().filter(|c| c.starts_negative()).map(|c| c.offset),
+            immediate_offset: most
+                .first()
+                .filter(|c| c.starts_negative())
+                .map(|c| c.offset.clone()),
             neutral: false,
             evidence,
             work: Work::default(),
@@ -143,7 +146,7 @@ fn enclose(set: &mut StableSet, whole: &Stretch, inside: &[&Stretch], plan: &Sea
                 let lower = to_f64_below(outer.map_or(&zero, |outer| &outer.root.lower));
                 let upper = to_f64_above(&inner.root.upper);
                 set.undecided.push((lower, upper));
-                Limit::between(lower, upper, Evidence::Undecided).at_offset(inner.of.offset)
+                Limit::between(lower, upper, Evidence::Undecided).at_offset(inner.of.offset.clone())
             }
         };
         let to = match (&part.to, &whole.to) {
@@ -156,7 +159,7 @@ fn enclose(set: &mut StableSet, whole: &Stretch, inside: &[&Stretch], plan: &Sea
                 if next.is_none() {
                     set.undecided.push((lower, to_f64_above(&plan.max)));
                 }
-                Limit::between(lower, upper, Evidence::Undecided).at_offset(inner.of.offset)
+                Limit::between(lower, upper, Evidence::Undecided).at_offset(inner.of.offset.clone())
             }
         };
         set.intervals.push(StableInterval { from, to });
@@ -181,7 +184,7 @@ fn non_negative<'a>(coefficients: &'a [Coefficient], plan: &SearchPlan) -> Vec<S
 }
 
 impl Coefficient {
-    fn new(offset: i64, polynomial: Polynomial<Rational>) -> Self {
+    fn new(offset: Vec<i64>, polynomial: Polynomial<Rational>) -> Self {
         let values = polynomial.into_coefficients();
         let polynomial = values.into_iter().skip_while(Zero::is_zero).collect();
         Self { offset, polynomial: Polynomial::new(polynomial) }
@@ -309,7 +312,7 @@ impl End<'_> {
             let upper = self.root.upper.clone().max(other.root.upper.clone());
             Limit::enclosed(lower, upper, evidence)
         };
-        limit.at_offset(self.of.offset)
+        limit.at_offset(self.of.offset.clone())
     }
 
     fn exact_limit(&self, evidence: Evidence) -> Limit {

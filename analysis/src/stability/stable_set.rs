@@ -45,7 +45,7 @@ pub struct StableSet {
     /// The condition that fails at once, when no small Courant number is stable.
     pub immediate_binding: Option<Binding>,
     /// For monotonicity: the coefficient that is negative at once.
-    pub immediate_offset: Option<i64>,
+    pub immediate_offset: Option<Vec<i64>>,
     /// `|g| = 1` for every wave and every Courant number.
     pub neutral: bool,
     /// What stands behind the answer.
@@ -71,8 +71,8 @@ impl StableSet {
                     Some(binding) => zero.bound_by(binding).included_if(true),
                     None => zero,
                 };
-                let zero = match self.immediate_offset {
-                    Some(offset) => zero.at_offset(offset),
+                let zero = match &self.immediate_offset {
+                    Some(offset) => zero.at_offset(offset.clone()),
                     None => zero,
                 };
                 match &self.immediately_unstable {

@@ -174,9 +174,8 @@ fn is_at(end: &Limit, value: &Rational) -> bool {
 
 /// Whether every coefficient is non-negative, as far as the uncertainty of the data allows to say.
 fn is_monotone(step: &Step, parameter: &str, value: &Rational) -> Option<bool> {
-    let one_step = step.one_step(parameter)?;
     let mut all = Some(true);
-    for (_, center, radius) in &one_step.coefficients {
+    for (_, center, radius) in &step.coefficients(parameter)? {
         let (center, radius) = (center.evaluate(value), radius.evaluate(value));
         if (&center + &radius).is_negative() {
             return Some(false);

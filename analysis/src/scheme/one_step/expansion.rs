@@ -9,6 +9,7 @@ use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, numerator_over};
 use crate::scheme::kernel_function::KernelFunction;
 use crate::scheme::names::{Letter, LetterKind};
+use crate::scheme::one_step::OffsetCoefficient;
 use crate::scheme::step::{Step, laurent_of};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -108,6 +109,33 @@ pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coeffici
     let coefficients =
         coefficients.filter(|(_, center, radius)| !center.is_zero() || !radius.is_zero());
     Some((coefficients.collect(), keeps_constants))
+}
+
+/// The same in several dimensions, where all names but the parameter have values.
+pub(super) fn coefficients_on_torus(
+    step: &Step,
+    parameter: Variable,
+) -> Option<Vec<OffsetCoefficient>> {
+    let characteristic = step.characteristic().ok()?;
+    let levels = characteristic.coefficients(Variable::TIME);
+    let [old, new] = levels.as_slice() else { return None };
+    let (origin, unit) = new.as_monomial()?;
+    if origin[4..].iter().any(|&power| power != 0) {
+        return None;
+    }
+    let mut values: BTreeMap<Vec<i64>, Vec<Rational>> = BTreeMap::new();
+    for (exponents, value) in old.terms() {
+        let place = |axis: usize| Variable::axis(axis).0;
+        let offset = |axis: usize| i64::from(exponents[place(axis)] - origin[place(axis)]);
+        let powers = values.entry((0..step.dimension).map(offset).collect()).or_default();
+        let power = usize::try_from(exponents[parameter.0]).ok()?;
+        if powers.len() <= power {
+            powers.resize(power + 1, Rational::zero());
+        }
+        powers[power] -= Rational::new(value.clone(), unit.clone());
+    }
+    let coefficient = |(offset, powers)| (offset, Polynomial::new(powers), Polynomial::zero());
+    Some(values.into_iter().map(coefficient).collect())
 }
 
 /// A fraction in lowest terms: powers of two, often all that there is, come out without a general gcd.
