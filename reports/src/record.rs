@@ -2,7 +2,7 @@
 
 use crate::number::{finite, significant};
 use courant_analysis::exact::rational::to_latex;
-use courant_analysis::stability::{Evidence, Limit, StableSet};
+use courant_analysis::stability::{Evidence, Limit, StableSet, Wave};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
