@@ -176,6 +176,30 @@ fn a_work_budget_of_one_box_leaves_everything_undecided() {
 }
 
 #[test]
+fn growth_like_the_number_of_steps_is_marginal_and_named() {
+    let driven =
+        ["--equation", "u[n+1,j]=u[n,j]; v[n+1,j]=v[n,j]+C*(u[n,j]-u[n,j-1])"];
+    let check = [&["check"], &driven[..], &["--cfl", "1/2"]].concat();
+    let found = json(&check);
+    assert_eq!((&found["verdict"], courant(&check).status.code()), (&"marginal".into(), Some(0)));
+    assert_eq!(found["double_multiplier_phase"], std::f64::consts::PI);
+    let limits = [&["limits"], &driven[..]].concat();
+    assert_eq!(first_row(&limits)["double_multiplier_phase"], std::f64::consts::PI);
+    let text = shown(&limits);
+    assert!(text.contains("marginal at best") && text.contains("that of 2 Δ"), "{text}");
+}
+
+#[test]
+fn a_step_that_cannot_be_solved_is_named() {
+    let row = first_row(&["limits", "--equation", "C*u[n+1,j] = u[n,j]"]);
+    let singular = &row["singular"];
+    assert_eq!((&singular[0]["exact"], singular.as_array().unwrap().len()), (&"0".into(), 1));
+    assert!(singular[0]["phase"].is_null() && singular[0]["reason"].is_string());
+    let text = shown(&["limits", "--equation", "(2*C-1)*u[n+1,j] = u[n,j]"]);
+    assert!(text.contains("C = 1/2: the step cannot be solved for any wave"), "{text}");
+}
+
+#[test]
 fn a_check_decides_exactly_and_measures_growth_finely() {
     let check =
         |subject: &[&str], cfl: &str| json(&[&["check"], subject, &["--cfl", cfl]].concat());
@@ -361,6 +385,10 @@ fn bad_subjects_are_one_line_that_names_the_option() {
                 "2",
             ],
             vec!["--dimension", "1"],
+        ),
+        (
+            vec!["check", "--equation", "(2*C-1)*u[n+1,j]=u[n,j]", "--cfl", "1/2"],
+            vec!["--cfl", "C = 1/2", "cannot be solved"],
         ),
         (vec!["limits", "--scheme", "upwind", "--budget", "0"], vec!["--budget", "whole number"]),
     ] {

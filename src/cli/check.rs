@@ -11,6 +11,7 @@ use super::subject::{
 use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
+use courant::analysis::scheme::SchemeError;
 use courant::analysis::stability::verdict::{Check, Verdict, check};
 use courant::analysis::stability::{Limit, PointVerdict, decide_step_at};
 use courant::reports::number::{finite, significant};
@@ -26,7 +27,7 @@ pub struct Arguments {
     #[command(flatten)]
     search: SearchOptions,
     /// Values of the parameter whose limit is sought, read exactly: the Courant number of a scheme, c Δt/h of a particle method.
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers_from_zero)]
     cfl: Option<Numbers>,
     /// Accept growth up to this much per step: the answer is then whether |z| ≤ 1 + growth.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative)]
@@ -90,7 +91,7 @@ fn answer(
             return Err(Failure::Message(format!("--cfl: --set {name} gives it a value already")));
         }
         (Some(value), None) => value,
-        (None, Some(value)) => numbers::in_courant_range(value.clone())
+        (None, Some(value)) => numbers::from_zero(value.clone())
             .map_err(|problem| Failure::Message(format!("--set {name}: {problem}")))?,
         (None, None) => {
             return Err(Failure::Message(format!(
@@ -98,7 +99,11 @@ fn answer(
             )));
         }
     };
-    let failed = |error| subject.failure(&error);
+    let given = if arguments.cfl.is_some() { "--cfl" } else { "--set" };
+    let failed = |error| match error {
+        SchemeError::Singular { .. } => Failure::Message(format!("{given}: {error}")),
+        _ => subject.failure(&error),
+    };
     let plan = arguments.search.plan(&subject);
     let found = check(&sought.step, name, &value, &plan).map_err(failed)?;
     let within = match &arguments.growth {
