@@ -6,11 +6,11 @@ use super::limits::{SearchOptions, no_monotonicity};
 use super::numbers::Numbers;
 use super::output::{Format, print, print_json, table_text};
 use super::subject::{
-    Defaults, Kind, Label, Sought, Subject, SubjectOptions, assumptions, varying,
+    Defaults, Kind, Label, Sought, Subject, SubjectOptions, assumptions, shown, varying,
 };
 use super::{Failure, Outcome, numbers};
 use clap::Args;
-use courant::analysis::exact::rational::{Rational, to_f64, to_text};
+use courant::analysis::exact::rational::{Rational, to_f64};
 use courant::analysis::scheme::SchemeError;
 use courant::analysis::stability::verdict::{Check, Verdict, check};
 use courant::analysis::stability::{Limit, PointVerdict, decide_step_at};
@@ -217,7 +217,7 @@ fn rows_table(answers: &[Answer]) -> Table {
     let labels: Vec<Vec<Label>> = answers
         .iter()
         .map(|answer| {
-            let value = to_text(&answer.value);
+            let value = shown(&answer.value);
             let caption = format!("{} = {value}", answer.symbol());
             let own = Label { heading: answer.symbol(), cell: value, caption };
             let mut labels = answer.subject.labels();
@@ -293,7 +293,7 @@ fn table(arguments: &Arguments, answer: &Answer) -> Table {
         .iter()
         .filter(|label| label.heading != answer.sought.parameter)
         .map(|label| label.caption.clone())
-        .chain([format!("{symbol} = {}", to_text(&answer.value))])
+        .chain([format!("{symbol} = {}", shown(&answer.value))])
         .collect();
     let caption = format!("{}: {}", captions.join(", "), headline(found));
     let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Left)]);

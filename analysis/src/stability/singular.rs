@@ -52,7 +52,8 @@ impl Step {
         if self.names.letters().next().is_some() {
             return Ok(found);
         }
-        let at_ends = [0.0, std::f64::consts::PI].map(|phase| (at_end(&leading, phase), Some(phase)));
+        let at_ends =
+            [0.0, std::f64::consts::PI].map(|phase| (at_end(&leading, phase), Some(phase)));
         // For every wave first: what divides the coefficients of all of them.
         let of_all = leading.content(Variable::axis(0));
         let low = |one: &Laurent| one.range(variable).map_or(0, |(low, _)| low);
@@ -91,9 +92,7 @@ impl Step {
         value: &Rational,
     ) -> Result<(), SchemeError> {
         match self.leading()?.at_fraction(self.variable(parameter)?, value).is_zero() {
-            true => {
-                Err(SchemeError::Singular { name: parameter.into(), value: to_text(value) })
-            }
+            true => Err(SchemeError::Singular { name: parameter.into(), value: to_text(value) }),
             false => Ok(()),
         }
     }

@@ -115,8 +115,7 @@ pub fn check(
     let monotone_set = step.monotone_set(parameter, &plan)?;
     let at_value = at_value.expanded().unwrap_or(at_value);
     // Powers of the parameter were divided out: they say nothing about 0.
-    let of_parameter =
-        if value.is_zero() { None } else { DemandsAt::of_parameter(&asked, value) };
+    let of_parameter = if value.is_zero() { None } else { DemandsAt::of_parameter(&asked, value) };
     // Strict demands on a continuous function of the parameter are met nearby as well.
     let strict = of_parameter.as_ref().is_some_and(DemandsAt::are_strict);
     let demands = match of_parameter {
