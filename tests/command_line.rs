@@ -296,8 +296,8 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
         (vec!["list", "kernels", "schemes"], vec!["`schemes`", "one argument too many"]),
         (vec!["man", "limitz"], vec!["limitz", "`limits`"]),
         (
-            vec!["check", "--scheme", "godunov-sph", "--ratio", "1", "--cfl", "0"],
-            vec!["--cfl", "above 0"],
+            vec!["check", "--scheme", "godunov-sph", "--ratio", "1", "--cfl", "-1"],
+            vec!["--cfl", "from 0 to"],
         ),
         (
             vec!["check", "--scheme", "godunov-sph", "--ratio", "1", "--cfl", "1e9"],

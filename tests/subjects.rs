@@ -176,6 +176,59 @@ fn a_work_budget_of_one_box_leaves_everything_undecided() {
 }
 
 #[test]
+fn growth_like_the_number_of_steps_is_marginal_and_named() {
+    let driven = ["--equation", "u[n+1,j]=u[n,j]; v[n+1,j]=v[n,j]+C*(u[n,j]-u[n,j-1])"];
+    let check = [&["check"], &driven[..], &["--cfl", "1/2"]].concat();
+    let found = json(&check);
+    assert_eq!((&found["verdict"], courant(&check).status.code()), (&"marginal".into(), Some(0)));
+    assert_eq!(found["double_multiplier_phase"], std::f64::consts::PI);
+    let limits = [&["limits"], &driven[..]].concat();
+    assert_eq!(first_row(&limits)["double_multiplier_phase"], std::f64::consts::PI);
+    let text = shown(&limits);
+    assert!(text.contains("marginal at best") && text.contains("that of 2 Δ"), "{text}");
+}
+
+#[test]
+fn whatever_is_typed_tables_and_rows_keep_their_shape() {
+    let long = "p[n+1,j] = p[n,j] - C/2*(v[n,j+1] - v[n,j-1]) + C/2*(p[n,j+1] - 2*p[n,j] + p[n,j-1]); \
+                v[n+1,j] = v[n,j] - C/2*(p[n,j+1] - p[n,j-1]) + C/2*(v[n,j+1] - 2*v[n,j] + v[n,j-1])";
+    let tiny = ["limits", "--scheme", "advection-diffusion-ftcs", "--set", "r=1e-300,1/3"];
+    for arguments in [&["limits", "--equation", long][..], &tiny] {
+        let text = shown(arguments);
+        assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
+    }
+    assert!(shown(&tiny).contains(" 1e-300 "));
+    let listed = shown(&["list", "schemes", "--format", "csv"]);
+    let all = json(&["list", "schemes"])["schemes"].as_array().unwrap().len();
+    assert_eq!(listed.lines().count(), 1 + all);
+}
+
+#[test]
+fn maps_of_different_equations_have_different_files() {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().to_str().unwrap();
+    let axes = ["--x", "r=0:1:0.5", "--y", "C=0:1:0.5", "--out", out];
+    for sign in ["+", "/"] {
+        let equation = format!("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]) + 1{sign}(1 + r)*u[n,j]");
+        shown(&[&["map", "--equation", &equation], &axes[..]].concat());
+    }
+    let pictures = std::fs::read_dir(place.path())
+        .unwrap()
+        .filter(|entry| entry.as_ref().unwrap().path().extension().is_some_and(|end| end == "png"));
+    assert_eq!(pictures.count(), 2);
+}
+
+#[test]
+fn a_step_that_cannot_be_solved_is_named() {
+    let row = first_row(&["limits", "--equation", "C*u[n+1,j] = u[n,j]"]);
+    let singular = &row["singular"];
+    assert_eq!((&singular[0]["exact"], singular.as_array().unwrap().len()), (&"0".into(), 1));
+    assert!(singular[0]["phase"].is_null() && singular[0]["reason"].is_string());
+    let text = shown(&["limits", "--equation", "(2*C-1)*u[n+1,j] = u[n,j]"]);
+    assert!(text.contains("C = 1/2: the step cannot be solved for any wave"), "{text}");
+}
+
+#[test]
 fn a_check_decides_exactly_and_measures_growth_finely() {
     let check =
         |subject: &[&str], cfl: &str| json(&[&["check"], subject, &["--cfl", cfl]].concat());
@@ -294,6 +347,10 @@ fn machines_get_one_set_of_columns() {
 
 #[test]
 fn bad_subjects_are_one_line_that_names_the_option() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("misspelt.toml");
+    std::fs::write(&file, "name = 'x'\nequation = 'u[n+1,j] = u[n,j-1]'\n").unwrap();
+    let misspelt = file.to_str().unwrap();
     for (arguments, words) in [
         (vec!["limits", "--equation", "u[n+1,j] = u[n,j]*u[n,j]"], vec!["--equation", "»", "«"]),
         (
@@ -361,6 +418,12 @@ fn bad_subjects_are_one_line_that_names_the_option() {
                 "2",
             ],
             vec!["--dimension", "1"],
+        ),
+        (vec!["limits", "--scheme", misspelt], vec!["`equation`", "did you mean `equations`"]),
+        (vec!["list", "schem"], vec!["did you mean `schemes`"]),
+        (
+            vec!["check", "--equation", "(2*C-1)*u[n+1,j]=u[n,j]", "--cfl", "1/2"],
+            vec!["--cfl", "C = 1/2", "cannot be solved"],
         ),
         (vec!["limits", "--scheme", "upwind", "--budget", "0"], vec!["--budget", "whole number"]),
     ] {

@@ -1,6 +1,7 @@
 //! Waves of particle methods as a user meets them: `dispersion`, `limits`, `check`, `map`, `report`.
 
 use assert_cmd::Command;
+use courant::analysis::scheme::catalogue::PARTICLE_INTEGRATORS;
 use serde_json::Value;
 use std::process::Output;
 
@@ -189,19 +190,7 @@ fn the_lists_name_integrators_and_wave_methods() {
         entries.iter().map(|entry| entry["name"].as_str().unwrap().to_owned()).collect()
     };
     // Whatever `validate` steps has a proved limit.
-    let stepped = [
-        "forward-euler",
-        "symplectic-euler",
-        "centred-euler",
-        "leapfrog-kdk",
-        "leapfrog-kdk-predicted",
-        "rk2-midpoint",
-        "rk2-heun",
-        "rk3-ssp",
-        "rk4",
-        "predictor-corrector",
-    ];
-    for integrator in stepped {
+    for integrator in PARTICLE_INTEGRATORS {
         assert!(names("integrators").iter().any(|name| name == integrator), "{integrator}");
         let limits = format!("limits --method gph --integrator {integrator} --ratio 1");
         assert_eq!(json(&limits)["rows"][0]["stability"]["evidence"], "proved", "{integrator}");

@@ -13,20 +13,6 @@ use num_complex::Complex64;
 /// Particles on the ring; mass, spacing and sound speed are 1.
 const N: usize = 64;
 
-/// The integrators that [`Ring::step`] writes out.
-const INTEGRATORS: [&str; 10] = [
-    "forward-euler",
-    "symplectic-euler",
-    "centred-euler",
-    "leapfrog-kdk",
-    "leapfrog-kdk-predicted",
-    "rk2-midpoint",
-    "rk2-heun",
-    "rk3-ssp",
-    "rk4",
-    "predictor-corrector",
-];
-
 /// The force between two particles beyond what the kernel says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Force {
@@ -358,7 +344,7 @@ fn one_step_of_every_integrator_multiplies_every_mode_as_predicted() {
         let kernel = method.kernel();
         let ring = Ring { kernel, h: to_f64(method.ratio()), force, pressure: 1.0 };
         let dt = 0.4;
-        for integrator in INTEGRATORS {
+        for integrator in catalogue::PARTICLE_INTEGRATORS {
             let step = method.step(Integrator::named(integrator).unwrap()).unwrap();
             let step = step.compile().unwrap();
             let column = |perturb: &dyn Fn(&mut State, f64)| {

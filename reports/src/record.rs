@@ -255,7 +255,10 @@ pub struct SingularRecord {
     /// The value, where it is a fraction.
     pub exact: Option<String>,
     /// The phase of the wave, in radians.
-    pub phase: f64,
+    pub phase: Option<f64>,
+    /// Why it is `null`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<&'static str>,
 }
 
 /// One row of `limits`.
@@ -278,6 +281,9 @@ pub struct LimitsRow {
     pub binding: Option<String>,
     /// Whether the limit itself is stable.
     pub limit_included: bool,
+    /// The phase of a wave whose amplitude grows like the number of steps, where every wave has such a multiplier at every value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub double_multiplier_phase: Option<f64>,
     /// All coefficients non-negative.
     pub monotonicity: Option<LimitRecord>,
     /// All intervals where they are.

@@ -6,11 +6,12 @@ use super::limits::{SearchOptions, no_monotonicity};
 use super::numbers::Numbers;
 use super::output::{Format, print, print_json, table_text};
 use super::subject::{
-    Defaults, Kind, Label, Sought, Subject, SubjectOptions, assumptions, varying,
+    Defaults, Kind, Label, Sought, Subject, SubjectOptions, assumptions, shown, varying,
 };
 use super::{Failure, Outcome, numbers};
 use clap::Args;
-use courant::analysis::exact::rational::{Rational, to_f64, to_text};
+use courant::analysis::exact::rational::{Rational, to_f64};
+use courant::analysis::scheme::SchemeError;
 use courant::analysis::stability::verdict::{Check, Verdict, check};
 use courant::analysis::stability::{Limit, PointVerdict, decide_step_at};
 use courant::reports::number::{finite, significant};
@@ -26,7 +27,7 @@ pub struct Arguments {
     #[command(flatten)]
     search: SearchOptions,
     /// Values of the parameter whose limit is sought, read exactly: the Courant number of a scheme, c Δt/h of a particle method.
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers_from_zero)]
     cfl: Option<Numbers>,
     /// Accept growth up to this much per step: the answer is then whether |z| ≤ 1 + growth.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative)]
@@ -90,7 +91,7 @@ fn answer(
             return Err(Failure::Message(format!("--cfl: --set {name} gives it a value already")));
         }
         (Some(value), None) => value,
-        (None, Some(value)) => numbers::in_courant_range(value.clone())
+        (None, Some(value)) => numbers::from_zero(value.clone())
             .map_err(|problem| Failure::Message(format!("--set {name}: {problem}")))?,
         (None, None) => {
             return Err(Failure::Message(format!(
@@ -98,7 +99,11 @@ fn answer(
             )));
         }
     };
-    let failed = |error| subject.failure(&error);
+    let given = if arguments.cfl.is_some() { "--cfl" } else { "--set" };
+    let failed = |error| match error {
+        SchemeError::Singular { .. } => Failure::Message(format!("{given}: {error}")),
+        _ => subject.failure(&error),
+    };
     let plan = arguments.search.plan(&subject);
     let found = check(&sought.step, name, &value, &plan).map_err(failed)?;
     let within = match &arguments.growth {
@@ -212,7 +217,7 @@ fn rows_table(answers: &[Answer]) -> Table {
     let labels: Vec<Vec<Label>> = answers
         .iter()
         .map(|answer| {
-            let value = to_text(&answer.value);
+            let value = shown(&answer.value);
             let caption = format!("{} = {value}", answer.symbol());
             let own = Label { heading: answer.symbol(), cell: value, caption };
             let mut labels = answer.subject.labels();
@@ -288,7 +293,7 @@ fn table(arguments: &Arguments, answer: &Answer) -> Table {
         .iter()
         .filter(|label| label.heading != answer.sought.parameter)
         .map(|label| label.caption.clone())
-        .chain([format!("{symbol} = {}", to_text(&answer.value))])
+        .chain([format!("{symbol} = {}", shown(&answer.value))])
         .collect();
     let caption = format!("{}: {}", captions.join(", "), headline(found));
     let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Left)]);

@@ -1,5 +1,6 @@
 //! What can go wrong, as one clear line each.
 
+use super::names;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use courant::analysis::scheme::SchemeError;
 use courant::reports::ferrari2008::ReportError;
@@ -87,15 +88,17 @@ pub fn one_line(error: &clap::Error, command: clap::Command) -> String {
     };
     let argument = get(ContextKind::InvalidArg).unwrap_or_default();
     let value = get(ContextKind::InvalidValue).unwrap_or_default();
-    let suggestion = get(ContextKind::SuggestedArg)
-        .or_else(|| get(ContextKind::SuggestedSubcommand))
-        .or_else(|| get(ContextKind::SuggestedValue));
+    let suggestion =
+        get(ContextKind::SuggestedArg).or_else(|| get(ContextKind::SuggestedSubcommand));
     let hint = suggestion.map_or_else(String::new, |text| format!("; did you mean `{text}`?"));
     match error.kind() {
         ErrorKind::InvalidValue => {
-            let accepted = get(ContextKind::ValidValue)
-                .filter(|list| !list.is_empty())
-                .map_or_else(String::new, |list| format!("; accepted: {list}"));
+            let known = get(ContextKind::ValidValue).filter(|list| !list.is_empty());
+            let hint = known
+                .as_deref()
+                .and_then(|list| names::nearest(&value, list.split(", ")))
+                .map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
+            let accepted = known.map_or_else(String::new, |list| format!("; accepted: {list}"));
             if value.is_empty() {
                 let accepted = match accepted.is_empty() {
                     true => self::accepted(&command, &argument)

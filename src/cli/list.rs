@@ -174,7 +174,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         for topic in topics {
             for entry in topic.entries() {
                 let also = entry.aliases.join(";");
+                // A row is a line.
                 let equations = entry.equations.unwrap_or_default();
+                let equations = equations.lines().map(str::trim).collect::<Vec<_>>().join("; ");
                 let cells = [entry.name, also, entry.description, equations, entry.source];
                 table.push([topic.name()].into_iter().chain(cells));
             }

@@ -39,21 +39,23 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// What there is: kernels, schemes, figures, with their sources.
+    /// What there is: kernels, schemes, spaces, integrators, methods, lattices, scenes, figures, with their sources.
     List(list::Arguments),
-    /// Stencil, amplification factor, order of accuracy and consistency of a scheme.
+    /// Characteristic polynomial, amplification factor, order of accuracy and consistency of a scheme.
     Symbol(symbol::Arguments),
-    /// Largest stable and largest monotone Courant number, with evidence.
+    /// Largest stable and largest monotone value of a parameter, such as the Courant number, with evidence.
     Limits(limits::Arguments),
-    /// Verdict on one Courant number; exit code 0 when it is stable, 1 when it is not.
+    /// Verdict on values of a parameter, such as the Courant number; exit code 0 when all are stable or marginal (with --growth: grow by
+    /// no more), 1 when one is not or is undecided.
     Check(check::Arguments),
-    /// Amplification over the (smoothing ratio, Courant number) plane: PNG, SVG, CSV, NPY.
+    /// Maps over two parameters: amplification with the proved limit for any scheme; phase error, amplitude or stable steps of a particle
+    /// method. PNG, SVG, CSV, NPY.
     Map(map::Arguments),
     /// Frequencies of sound waves in a particle method: phase error and amplitude, branch by branch.
     Dispersion(dispersion::Arguments),
     /// Run a scene with a method: profile, figure, error norms, conservation.
     Run(Box<run::Arguments>),
-    /// Predicted against measured, mode by mode; exit code 0 when they agree, 1 when they do not.
+    /// Predicted against measured, wave by wave, for any scheme; exit code 0 when they agree, 1 when they do not.
     Validate(validate::Arguments),
     /// Regenerate the one-dimensional tables and figures of a paper: index.html, index.md and all data. Not Cha &
     /// Whitworth's tests in two and three dimensions: Figures 28 to 34, Table 5.

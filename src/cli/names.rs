@@ -23,7 +23,9 @@ pub fn scheme(text: &str) -> Result<AdvectionScheme, String> {
 pub fn integrator(name: &str, particles: bool) -> Result<Arc<Integrator>, String> {
     if name.ends_with(".toml") {
         let text = std::fs::read_to_string(name).map_err(|error| unreadable(&error))?;
-        return Integrator::from_toml(&text).map(Arc::new).map_err(|error| error.to_string());
+        return Integrator::from_toml(&text)
+            .map(Arc::new)
+            .map_err(|error| misspelt_key(&error.to_string()));
     }
     let find = if particles { Integrator::for_particles } else { Integrator::named };
     find(name).map(|found| Arc::new(found.clone())).ok_or_else(|| {
@@ -38,6 +40,31 @@ pub fn integrator(name: &str, particles: bool) -> Result<Arc<Integrator>, String
 /// Why a file that the user names is of no use.
 pub fn unreadable(error: &std::io::Error) -> String {
     format!("the file cannot be read: {error}")
+}
+
+/// What is wrong with a file that the user names: where a key is not known, with the nearest one that is.
+pub fn misspelt_key(problem: &str) -> String {
+    let mut names = problem.split('`').skip(1).step_by(2);
+    let nearest = match names.next() {
+        Some(key) if problem.starts_with("unknown field") => nearest(key, names),
+        _ => None,
+    };
+    match nearest {
+        Some(name) => format!("{problem}; did you mean `{name}`?"),
+        None => problem.into(),
+    }
+}
+
+/// The nearest of several names, if it is near.
+pub fn nearest<'a>(text: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted = text.to_ascii_lowercase();
+    let (steps, name) = names.map(|name| (distance(&wanted, name), name)).min()?;
+    is_near(steps, name).then_some(name)
+}
+
+/// Whether a name that so many edits make of another may be meant by it.
+fn is_near(steps: usize, name: &str) -> bool {
+    steps <= 1 + name.len() / 4
 }
 
 /// What to say of a name that is none: the nearest one, and all of them.
@@ -56,7 +83,7 @@ pub fn unknown_among<'a>(
     let mut ranked: Vec<(usize, &str)> =
         entries.map(|(name, stands_for)| (distance(&wanted, name), stands_for)).collect();
     ranked.sort();
-    let near = |(steps, name): &&(usize, &str)| *steps <= 1 + name.len() / 3;
+    let near = |(steps, name): &&(usize, &str)| is_near(*steps, name);
     let mut nearest: Vec<&str> = Vec::new();
     for (_, name) in ranked.iter().filter(near) {
         if nearest.len() < 3 && !nearest.contains(name) {
@@ -76,13 +103,8 @@ fn with_aliases<'a>(
     all: &[&'a str],
     aliases: impl Iterator<Item = &'a str>,
 ) -> String {
-    let wanted = text.to_ascii_lowercase();
-    let names = all.iter().copied().chain(aliases);
-    let nearest = names.map(|name| (distance(&wanted, name), name)).min();
-    let hint = match nearest {
-        Some((steps, name)) if steps <= 1 + name.len() / 3 => format!("did you mean `{name}`? "),
-        _ => String::new(),
-    };
+    let hint = nearest(text, all.iter().copied().chain(aliases))
+        .map_or_else(String::new, |name| format!("did you mean `{name}`? "));
     format!("there is no such {what}; {hint}accepted: {}", all.join(", "))
 }
 
@@ -117,6 +139,8 @@ mod tests {
     fn misspelt_names_get_a_suggestion() {
         assert!(kernel("cubicspline").unwrap_err().contains("`cubic-spline`"));
         assert!(scheme("godunow-sph").unwrap_err().contains("`godunov-sph`"));
+        let key = misspelt_key("unknown field `equation`, expected one of `name`, `equations`");
+        assert!(key.ends_with("did you mean `equations`?"), "{key}");
         assert!(!kernel("zzz").unwrap_err().contains("did you mean"));
     }
 }

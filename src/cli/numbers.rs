@@ -133,6 +133,16 @@ pub fn courant_numbers(text: &str) -> Result<Numbers, String> {
     list(text)?.0.into_iter().map(in_courant_range).collect::<Result<_, _>>().map(Numbers)
 }
 
+/// Courant numbers, of which 0 is one.
+pub fn courant_numbers_from_zero(text: &str) -> Result<Numbers, String> {
+    list(text)?.0.into_iter().map(from_zero).collect::<Result<_, _>>().map(Numbers)
+}
+
+/// The same for a number that was read.
+pub fn from_zero(value: Rational) -> Result<Rational, String> {
+    within(value, 0, MAX_COURANT)
+}
+
 /// A number within bounds.
 pub fn within(value: Rational, least: i64, most: i64) -> Result<Rational, String> {
     if value < integer(least) || value > integer(most) {

@@ -36,24 +36,27 @@ pub const WIDTH: usize = 100;
 
 /// Lines below a table, after an empty one; long ones are broken at spaces.
 pub fn paragraphs(lines: &[String]) -> String {
-    let mut text = String::new();
-    for line in lines {
-        text.push('\n');
-        let mut used = 0;
-        for word in line.split(' ') {
-            let width = word.chars().count();
-            if used > 0 && used + 1 + width > WIDTH {
-                text.push_str("\n  ");
-                used = 2;
-            } else if used > 0 {
-                text.push(' ');
-                used += 1;
-            }
-            text.push_str(word);
-            used += width;
-        }
-    }
+    let text: String = lines.iter().map(|line| format!("\n{}", broken(line))).collect();
     if text.is_empty() { text } else { text + "\n" }
+}
+
+/// A line, broken at spaces where it is long.
+fn broken(line: &str) -> String {
+    let mut text = String::new();
+    let mut used = 0;
+    for word in line.split(' ') {
+        let width = word.chars().count();
+        if used > 0 && used + 1 + width > WIDTH {
+            text.push_str("\n  ");
+            used = 2;
+        } else if used > 0 {
+            text.push(' ');
+            used += 1;
+        }
+        text.push_str(word);
+        used += width;
+    }
+    text
 }
 
 /// Prints text; a reader that went away is reported as such.
@@ -182,7 +185,11 @@ impl<'de> Visitor<'de> for LeavesVisitor {
 /// Prints a table in one of the formats that are tables; `None` for JSON.
 pub fn table_text(table: &Table, format: Format) -> Option<String> {
     match format {
-        Format::Table => Some(table.to_text()),
+        Format::Table => {
+            let text = table.to_text();
+            let (caption, rest) = text.split_once('\n')?;
+            Some(format!("{}\n{rest}", broken(caption)))
+        }
         Format::Csv => Some(table.to_csv()),
         Format::Markdown => Some(table.to_markdown()),
         Format::Latex => Some(table.to_latex()),

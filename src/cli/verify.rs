@@ -1,9 +1,10 @@
 //! `courant verify`.
 
-use super::output::{Format, print, print_json};
+use super::output::{Format, print, print_record};
 use super::{Failure, Outcome};
 use clap::Args;
 use courant::reports::certificate_file::{CertificateFileError, verify_file};
+use courant::reports::table::{Align, Table};
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -11,7 +12,7 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// A file written by `courant limits --certificate`.
     file: PathBuf,
-    /// Format of the output: table or json.
+    /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]
     format: Format,
 }
@@ -43,19 +44,19 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         },
         Err(unreadable) => return Err(Failure::Message(format!("FILE: {unreadable}"))),
     };
-    if arguments.format == Format::Json {
-        print_json("verify", &answer)?;
+    let conclusion = match &answer.refused {
+        None => {
+            format!("{} certificates hold ({} boxes recomputed)", answer.certificates, answer.boxes)
+        }
+        Some(refusal) => format!("refused: {refusal}"),
+    };
+    let lines = answer.statements.iter().chain([&conclusion]);
+    if arguments.format == Format::Table {
+        print(&lines.map(|line| format!("{line}\n")).collect::<String>())?;
     } else {
-        let mut text: String =
-            answer.statements.iter().map(|statement| format!("{statement}\n")).collect();
-        text.push_str(&match &answer.refused {
-            None => format!(
-                "{} certificates hold ({} boxes recomputed)\n",
-                answer.certificates, answer.boxes
-            ),
-            Some(refusal) => format!("refused: {refusal}\n"),
-        });
-        print(&text)?;
+        let mut table = Table::new("Certificates", &[("statement", Align::Left)]);
+        lines.for_each(|line| table.push([line.as_str()]));
+        print_record("verify", &answer, &table, arguments.format)?;
     }
     Ok(if answer.valid { Outcome::Yes } else { Outcome::No })
 }

@@ -28,15 +28,15 @@ pub enum DensityName {
     /// What the particles see: ρ0 = M Σ W.
     Summation,
     /// The mass per spacing: ρ0 = M/Δ.
-    #[value(alias = "mass-per-spacing")]
-    Mass,
+    #[value(aliases = ["mass", "mass-per-spacing"])]
+    Continuity,
 }
 
 impl From<DensityName> for Density {
     fn from(name: DensityName) -> Self {
         match name {
             DensityName::Summation => Self::Summation,
-            DensityName::Mass => Self::MassPerSpacing,
+            DensityName::Continuity => Self::MassPerSpacing,
         }
     }
 }

@@ -43,12 +43,6 @@ impl<T: Ring> Stencil<T> {
         (self.lowest..).zip(self.polynomial.coefficients())
     }
 
-    /// The coefficient of `E^offset`.
-    pub fn coefficient(&self, offset: i64) -> T {
-        usize::try_from(offset - self.lowest)
-            .map_or_else(|_| T::zero(), |power| self.polynomial.coefficient(power))
-    }
-
     /// The lowest and the highest offset; `None` for the zero stencil.
     pub fn reach(&self) -> Option<(i64, i64)> {
         let degree = self.polynomial.degree()?;
@@ -58,14 +52,6 @@ impl<T: Ring> Stencil<T> {
     /// Every coefficient passed through `change`, which may change the ring.
     pub fn map<U: Ring>(&self, change: impl FnMut(&T) -> U) -> Stencil<U> {
         Stencil::new(self.lowest, self.polynomial.coefficients().iter().map(change).collect())
-    }
-
-    /// The moment `Σ_k c_k k^power`, with `integer` embedding the integers in the ring.
-    pub fn moment(&self, power: u32, integer: impl Fn(i64) -> T) -> T {
-        self.terms().fold(T::zero(), |sum, (offset, value)| {
-            let factor = (0..power).fold(T::one(), |product, _| product * integer(offset));
-            sum + value.clone() * factor
-        })
     }
 }
 
@@ -170,15 +156,6 @@ mod tests {
             let product = (a * b).map(|&v| v as f64);
             // At most 36 products of size 81, each rounded once.
             prop_assert!((product.at_phase(phase) - x.at_phase(phase) * y.at_phase(phase)).norm() < 1e-11);
-        }
-
-        #[test]
-        fn moments_are_derivatives_at_phase_zero(a in stencil()) {
-            // Σ c_k k^p is what E^k -> k^p sends the stencil to; the second road is plain summation.
-            for power in 0..4u32 {
-                let plain: i64 = a.terms().map(|(k, c)| c * k.pow(power)).sum();
-                prop_assert_eq!(a.moment(power, |k| k), plain);
-            }
         }
     }
 }

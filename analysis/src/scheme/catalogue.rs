@@ -295,6 +295,20 @@ static ALL_INTEGRATORS: LazyLock<Vec<Integrator>> = LazyLock::new(|| {
     INTEGRATORS.iter().map(read).collect()
 });
 
+/// The integrators that particle codes are stepped by, by name: those that tests and reports go through.
+pub const PARTICLE_INTEGRATORS: [&str; 10] = [
+    "forward-euler",
+    "symplectic-euler",
+    "centred-euler",
+    "leapfrog-kdk",
+    "leapfrog-kdk-predicted",
+    "rk2-midpoint",
+    "rk2-heun",
+    "rk3-ssp",
+    "rk4",
+    "predictor-corrector",
+];
+
 /// The schemes of the catalogue, by name.
 pub fn schemes() -> &'static [SchemeFile] {
     &ALL_SCHEMES

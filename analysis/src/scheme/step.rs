@@ -44,8 +44,18 @@ pub enum SchemeError {
     #[error("the equations do not determine {0}: their determinant vanishes for every wave")]
     Dependent(String),
     /// No multiplier: nothing is advanced in time.
-    #[error("no unknown stands at a later level than another: nothing is advanced in time")]
+    #[error(
+        "no unknown stands at a later level than another, with a coefficient that is not 0: nothing is advanced in time"
+    )]
     NoStep,
+    /// A value at which the coefficients of the newest level vanish, or determine nothing.
+    #[error("{name} = {value}: the step cannot be solved for any wave")]
+    Singular {
+        /// The parameter.
+        name: String,
+        /// Its value.
+        value: String,
+    },
     /// A parameter that does not occur.
     #[error("there is no parameter `{name}`; the scheme has {}", list(known))]
     UnknownParameter {

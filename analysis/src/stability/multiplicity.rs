@@ -1,11 +1,12 @@
 //! Waves that grow like a power of the number of steps: multiple multipliers on the unit circle with too few eigenvectors.
 
+use super::StableSet;
 use super::at_value::zeros_of;
 use super::inequality::symmetric;
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::laurent::{Laurent, Variable, greatest_common_divisor};
 use crate::exact::matrix::Matrix;
-use crate::exact::rational::{Rational, integer, ratio};
+use crate::exact::rational::{Rational, from_f64, integer, ratio};
 use crate::scheme::{Letter, SchemeError, Step};
 use crate::waves::precise::{Place, PreciseStep};
 use crate::waves::wave_terms::{difference_terms, primitive_characteristic};
@@ -57,8 +58,9 @@ pub struct MultipleMultiplier {
 pub struct Multiplicity {
     /// One whose amplitude grows like a power of the number of steps.
     pub growing: Option<MultipleMultiplier>,
-    /// One with the multiplier 1, shorter than the longest: a displacement that nothing pulls back and that drifts. The drift of the
-    /// longest wave is that of the differential equation, and not named.
+    /// One with the multiplier 1, shorter than the longest, where the longest wave has such a multiplier too: a displacement that nothing
+    /// pulls back and that drifts. The drift of the longest wave is that of the differential equation, and not named; where the longest
+    /// wave does not drift, a shorter one that does is growing.
     pub drift: Option<MultipleMultiplier>,
 }
 
@@ -90,7 +92,7 @@ pub fn multiplicity_at(step: &Step) -> Result<Multiplicity, SchemeError> {
     let (waves, all_waves) = meeting_waves(step, &chi);
     let matrix = step.reduced();
     let precise = PreciseStep::new(step, &terms, BITS);
-    let mut result = Multiplicity::default();
+    let (mut result, mut longest_drifts) = (Multiplicity::default(), false);
     for s in waves {
         let place = precise.place(&s, &Rational::zero(), 0.0);
         for found in multiple_at(step, &matrix, &precise, &place, EXACT) {
@@ -99,11 +101,61 @@ pub fn multiplicity_at(step: &Step) -> Result<Multiplicity, SchemeError> {
             match (is_one, s.is_zero()) {
                 (false, _) => result.growing = result.growing.or(Some(found)),
                 (true, false) => result.drift = result.drift.or(Some(found)),
-                (true, true) => {}
+                (true, true) => longest_drifts = true,
             }
         }
     }
+    if !longest_drifts {
+        result.growing = result.growing.or(result.drift.take());
+    }
     Ok(result)
+}
+
+impl Step {
+    /// A multiplier on the unit circle that is multiple and lacks eigenvectors for every wave at every value of a parameter, where all
+    /// others have values: then no value of `set` is more than marginally stable. The wave that it is returned for is the shortest, where
+    /// that is one of them.
+    ///
+    /// ```
+    /// use courant_analysis::scheme::Step;
+    /// // v is driven by what does not change: v grows by the same amount in each step.
+    /// let driven = Step::from_text("u[n+1,j] = u[n,j]; v[n+1,j] = v[n,j] + C*(u[n,j] - u[n,j-1])")?;
+    /// let set = driven.stable_set("C", &Default::default())?;
+    /// let found = driven.multiple_on_every_wave("C", &set)?.unwrap();
+    /// assert_eq!((found.phase, found.multiplicity, found.eigenvectors), (std::f64::consts::PI, 2, 1));
+    /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When the parameter does not occur or another has no value.
+    pub fn multiple_on_every_wave(
+        &self,
+        parameter: &str,
+        set: &StableSet,
+    ) -> Result<Option<MultipleMultiplier>, SchemeError> {
+        let chi = primitive_characteristic(self)?;
+        let Some(interval) = set.intervals.first().filter(|_| chi.degree(Variable::TIME) > 1)
+        else {
+            return Ok(None);
+        };
+        // Looked at for one wave at one value first, which costs little.
+        let from = from_f64(interval.from.upper()).unwrap_or_default();
+        let to = from_f64(interval.to.lower()).unwrap_or_else(|| &from + integer(1));
+        let step = self.with(parameter, &(&from + (to - &from) * ratio(5, 13)))?;
+        let step = step.expanded().unwrap_or(step);
+        let precise =
+            PreciseStep::new(&step, &difference_terms(&primitive_characteristic(&step)?), BITS);
+        let place = precise.place(&ratio(1, 3), &Rational::zero(), 0.0);
+        if multiple_at(&step, &step.reduced(), &precise, &place, EXACT).is_empty() {
+            return Ok(None);
+        }
+        // A factor that is repeated as the equations stand is so for every wave and value.
+        let repeated = greatest_common_divisor(&chi, &chi.derivative(Variable::TIME));
+        match repeated.contains(Variable::TIME) {
+            true => Ok(multiplicity_at(&step)?.growing),
+            false => Ok(None),
+        }
+    }
 }
 
 /// The waves for which two multipliers may be equal, and whether these are all.

@@ -4,7 +4,7 @@ use super::inequality::margin_of;
 use super::{SearchPlan, search_within};
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, integer, simplest_between, to_f64};
+use crate::exact::rational::{Rational, integer, simplest_between, to_f64, to_text};
 use crate::exact::real_roots::real_roots;
 use crate::scheme::{SchemeError, Step};
 use num_traits::{One, Zero};
@@ -19,20 +19,23 @@ pub struct SingularStep {
     pub value: f64,
     /// The value, where it is a fraction.
     pub exact: Option<Rational>,
-    /// The wave's phase in radians.
-    pub phase: f64,
+    /// The wave's phase in radians; nothing where no wave can be stepped.
+    pub phase: Option<f64>,
 }
 
 impl Step {
-    /// The values of a parameter within `(0, plan.max]` at which the longest or the shortest wave cannot be stepped, and the first one at
-    /// which any wave cannot, where the leading coefficient is real. Other singular waves are not looked for.
+    /// The values of a parameter within `[0, plan.max]` at which no wave, or the longest or the shortest, can be stepped, and the first
+    /// one at which any wave cannot, where the leading coefficient is real. Other singular waves are not looked for.
     ///
     /// ```
     /// use courant_analysis::scheme::Step;
     /// use courant_analysis::stability::SearchPlan;
+    /// // For every wave, for the shortest.
+    /// let nothing = Step::from_text("C*u[n+1,j] = u[n,j]")?.singular_steps("C", &SearchPlan::default())?;
+    /// assert_eq!((nothing.len(), nothing[0].value, nothing[0].phase), (1, 0.0, None));
     /// let downwind = Step::from_text("u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j]) = u[n,j]")?;
     /// let singular = downwind.singular_steps("C", &SearchPlan::default())?;
-    /// assert_eq!((singular[0].value, singular[0].phase), (0.5, std::f64::consts::PI));
+    /// assert_eq!((singular[0].value, singular[0].phase), (0.5, Some(std::f64::consts::PI)));
     /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
     /// ```
     ///
@@ -44,30 +47,22 @@ impl Step {
         plan: &SearchPlan,
     ) -> Result<Vec<SingularStep>, SchemeError> {
         let variable = self.variable(parameter)?;
-        let characteristic = self.characteristic()?;
-        let coefficients = characteristic.coefficients(Variable::TIME);
-        let leading = coefficients.last().cloned().unwrap_or_default();
-        let mut found = Vec::new();
-        if leading.as_monomial().is_some() || self.names.letters().next().is_some() {
+        let leading = self.leading()?;
+        let mut found: Vec<SingularStep> = Vec::new();
+        if self.names.letters().next().is_some() {
             return Ok(found);
         }
-        for phase in [0.0, std::f64::consts::PI] {
-            let at_end = at_end(&leading, phase > 0.0);
-            let polynomial = Polynomial::new(
-                at_end
-                    .coefficients(variable)
-                    .iter()
-                    .map(|c| Rational::from(c.as_constant().unwrap_or_default()))
-                    .collect(),
-            );
-            if polynomial.degree() < Some(1) {
-                continue;
-            }
-            for root in real_roots(&polynomial, &Rational::zero(), &plan.max, BITS) {
-                let simplest = simplest_between(&root.lower, &root.upper);
-                let exact = polynomial.evaluate(&simplest).is_zero().then_some(simplest);
-                let value = to_f64(exact.as_ref().unwrap_or(&root.upper));
-                found.push(SingularStep { value, exact, phase });
+        let at_ends =
+            [0.0, std::f64::consts::PI].map(|phase| (at_end(&leading, phase), Some(phase)));
+        // For every wave first: what divides the coefficients of all of them.
+        let of_all = leading.content(Variable::axis(0));
+        let low = |one: &Laurent| one.range(variable).map_or(0, |(low, _)| low);
+        let of_all = of_all.shifted(variable, low(&leading) - low(&of_all));
+        for (polynomial, phase) in [(of_all, None)].into_iter().chain(at_ends) {
+            for (value, exact) in zeros(&polynomial, variable, &plan.max) {
+                if found.iter().all(|known| known.phase.is_some() || known.value != value) {
+                    found.push(SingularStep { value, exact, phase });
+                }
             }
         }
         if let Some(real) = centred(&leading) {
@@ -82,17 +77,54 @@ impl Step {
                 found.push(SingularStep {
                     value: limit.value(),
                     exact,
-                    phase: limit.critical_phase().unwrap_or(0.0),
+                    phase: Some(limit.critical_phase().unwrap_or(0.0)),
                 });
             }
         }
         found.sort_by(|a, b| a.value.total_cmp(&b.value));
         Ok(found)
     }
+
+    /// Refuses a value at which the step cannot be solved for any wave.
+    pub(crate) fn refuse_singular(
+        &self,
+        parameter: &str,
+        value: &Rational,
+    ) -> Result<(), SchemeError> {
+        match self.leading()?.at_fraction(self.variable(parameter)?, value).is_zero() {
+            true => Err(SchemeError::Singular { name: parameter.into(), value: to_text(value) }),
+            false => Ok(()),
+        }
+    }
+
+    /// The coefficient of the newest level: the determinant that a step divides by.
+    fn leading(&self) -> Result<Laurent, SchemeError> {
+        let coefficients = self.characteristic()?.coefficients(Variable::TIME);
+        Ok(coefficients.last().cloned().unwrap_or_default())
+    }
+}
+
+/// The zeros of a polynomial in a parameter within `[0, max]`, rounded, and exactly where they are fractions.
+fn zeros(polynomial: &Laurent, variable: Variable, max: &Rational) -> Vec<(f64, Option<Rational>)> {
+    let coefficients = polynomial.coefficients(variable);
+    let constant = |c: &Laurent| Rational::from(c.as_constant().unwrap_or_default());
+    let lowest = polynomial.range(variable).map_or(0, |(low, _)| low);
+    let polynomial = Polynomial::new(coefficients.iter().map(constant).collect());
+    let zero = (lowest > 0).then(|| (0.0, Some(Rational::zero())));
+    if polynomial.degree() < Some(1) {
+        return zero.into_iter().collect();
+    }
+    let positive = real_roots(&polynomial, &Rational::zero(), max, BITS).into_iter().map(|root| {
+        let simplest = simplest_between(&root.lower, &root.upper);
+        let exact = polynomial.evaluate(&simplest).is_zero().then_some(simplest);
+        (to_f64(exact.as_ref().unwrap_or(&root.upper)), exact)
+    });
+    zero.into_iter().chain(positive.filter(|(value, _)| *value > 0.0)).collect()
 }
 
 /// The value at `E = 1` or `E = −1`.
-fn at_end(polynomial: &Laurent, shortest: bool) -> Laurent {
+fn at_end(polynomial: &Laurent, phase: f64) -> Laurent {
+    let shortest = phase > 0.0;
     let axis = Variable::axis(0).0;
     let terms = polynomial.terms().iter().map(|(exponents, value)| {
         let mut rest = *exponents;
@@ -113,6 +145,6 @@ fn centred(polynomial: &Laurent) -> Option<Laurent> {
     if !shifted.is_real() {
         return None;
     }
-    let start = at_end(&shifted, false).terms().first().map(|(_, value)| value.clone())?;
+    let start = at_end(&shifted, 0.0).terms().first().map(|(_, value)| value.clone())?;
     Some(if start < 0.into() { -shifted } else { shifted })
 }

@@ -82,7 +82,7 @@ impl Check {
     }
 }
 
-/// Judges a positive value of a parameter; all others must be set. The stable set is searched up to the end of the plan or four times the
+/// Judges a value of a parameter that is not negative; all others must be set. The stable set is searched up to the end of the plan or four times the
 /// value, whichever is more; a growth that the plan permits is not considered.
 ///
 /// ```
@@ -99,21 +99,23 @@ impl Check {
 /// ```
 ///
 /// # Errors
-/// When the parameter does not occur or another has no value.
+/// When the parameter does not occur, another has no value, or the step cannot be solved for any wave at the value.
 pub fn check(
     step: &Step,
     parameter: &str,
     value: &Rational,
     plan: &SearchPlan,
 ) -> Result<Check, SchemeError> {
+    let at_value = step.with(parameter, value)?;
+    step.refuse_singular(parameter, value)?;
     let range = plan.max.clone().max(value * integer(4));
     let plan = plan.clone().up_to(range).growing(Rational::zero());
     let asked = step.inequalities(parameter, &Rational::zero())?;
     let stable_set = step.stable_set_under(parameter, &asked, &plan)?;
     let monotone_set = step.monotone_set(parameter, &plan)?;
-    let at_value = step.with(parameter, value)?;
     let at_value = at_value.expanded().unwrap_or(at_value);
-    let of_parameter = DemandsAt::of_parameter(&asked, value);
+    // Powers of the parameter were divided out: they say nothing about 0.
+    let of_parameter = if value.is_zero() { None } else { DemandsAt::of_parameter(&asked, value) };
     // Strict demands on a continuous function of the parameter are met nearby as well.
     let strict = of_parameter.as_ref().is_some_and(DemandsAt::are_strict);
     let demands = match of_parameter {
@@ -121,8 +123,8 @@ pub fn check(
         None => DemandsAt::new(&at_value.inequalities_in(None, &Rational::zero())?),
     };
     let growth = growth_under(&at_value, &demands)?;
-    let decided = if plan.budget < LEAST_BUDGET {
-        // No boxes would be needed, but whoever allows so few wants little work.
+    let decided = if plan.budget < LEAST_BUDGET && !stable_set.undecided.is_empty() {
+        // No boxes would be needed, but whoever allows so few wants little work, and no more said of a value than of the set.
         PointVerdict::Undecided
     } else {
         demands.decide()
@@ -157,6 +159,10 @@ pub fn check(
 
 /// Whether values a little to either side are stable too, where the value itself is; `strict` where that is known of it alone.
 fn is_inside(set: &StableSet, value: &Rational, strict: bool) -> bool {
+    if value.is_zero() {
+        // There are no values below.
+        return set.limit().is_positive();
+    }
     let mut ends = set.intervals.iter().flat_map(|interval| [&interval.from, &interval.to]);
     !ends.any(|end| is_at(end, value)) && (set.contains(value) || strict)
 }

@@ -92,20 +92,6 @@ fn usual_ratio() -> Rational {
     ratio(6, 5)
 }
 
-/// The integrators that particle codes are stepped by.
-const INTEGRATORS: [&str; 10] = [
-    "forward-euler",
-    "symplectic-euler",
-    "centred-euler",
-    "leapfrog-kdk",
-    "leapfrog-kdk-predicted",
-    "rk2-midpoint",
-    "rk2-heun",
-    "rk3-ssp",
-    "rk4",
-    "predictor-corrector",
-];
-
 fn integrator(name: &str) -> &'static Integrator {
     Integrator::named(name).expect("it is in the catalogue")
 }

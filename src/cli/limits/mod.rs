@@ -79,6 +79,8 @@ struct Answer {
     monotone_set: Option<StableSet>,
     growth: Vec<(Rational, Limit)>,
     singular: Vec<SingularStep>,
+    /// The phase of a wave that grows like the number of steps, as all do at every value.
+    double_multiplier: Option<f64>,
     keeps_constants: bool,
 }
 
@@ -129,6 +131,8 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
             (set.limit(), Some(set))
         }
     };
+    let double = set.as_ref().map(|set| step.multiple_on_every_wave(parameter, set));
+    let double = double.transpose().map_err(failed)?.flatten();
     let growth = budgets(arguments).iter().map(|budget| {
         let plan = plan.clone().growing(budget.clone());
         let found = step.stable_set(parameter, &plan).map_err(failed)?;
@@ -141,6 +145,7 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
         monotonicity: monotone_set.as_ref().map(StableSet::limit),
         monotone_set,
         growth: growth.collect::<Result<_, Failure>>()?,
+        double_multiplier: double.map(|found| found.phase),
         singular: step.singular_steps(parameter, &plan).map_err(failed)?,
         keeps_constants: step.keeps_constants().map_err(failed)?,
         sought,
@@ -233,6 +238,7 @@ fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
         per_standard_deviation: units.and_then(|(_, deviation)| finite(deviation)),
         binding: limit.binding().map(|binding| binding.name()),
         limit_included: limit.is_included(),
+        double_multiplier_phase: answer.double_multiplier,
         monotonicity: answer.monotonicity.as_ref().map(record),
         monotone_set: answer.monotone_set.as_ref().map(|set| intervals(set, symbol)),
         monotonicity_reason: match answer.monotonicity {
@@ -246,6 +252,7 @@ fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
                 value: one.value,
                 exact: one.exact.as_ref().map(to_text),
                 phase: one.phase,
+                reason: one.phase.is_none().then_some("no wave can be stepped"),
             })
             .collect(),
         growth_limits: answer

@@ -96,6 +96,13 @@ pub(super) fn remarks(
                 ));
             }
         }
+        if let Some(phase) = answer.double_multiplier {
+            let wave = limit_text::length(phase);
+            add(format!(
+                "marginal at best: two multipliers of every wave but the longest are equal on the unit circle at every {symbol}, that of {wave} Δ \
+                 among them: its amplitude grows like the number of steps"
+            ));
+        }
         if limit.is_unbounded() {
             let evidence = match limit.evidence() {
                 Evidence::Enclosed => "with enclosed coefficients",
@@ -132,8 +139,9 @@ pub(super) fn remarks(
         for singular in &answer.singular {
             let exact = singular.exact.as_ref().map_or(singular.value.to_string(), to_text);
             let wave = match singular.phase {
-                0.0 => "the longest wave".into(),
-                phase => format!("the wave of {} Δ", limit_text::length(phase)),
+                None => "any wave".into(),
+                Some(0.0) => "the longest wave".into(),
+                Some(phase) => format!("the wave of {} Δ", limit_text::length(phase)),
             };
             add(format!("singular at {symbol} = {exact}: the step cannot be solved for {wave}"));
         }

@@ -3,7 +3,7 @@
 use super::remarks::remarks;
 use super::{Answer, Arguments, budgets};
 use crate::cli::limit_text::{DEFAULT_DIGITS, digits, exact, wave};
-use crate::cli::output::{Format, WIDTH, paragraphs};
+use crate::cli::output::{Format, WIDTH, paragraphs, table_text};
 use crate::cli::subject::{Kind, Label, row_name, varying};
 use courant::analysis::exact::rational::{Rational, decimal_below, to_f64};
 use courant::analysis::stability::Limit;
@@ -22,11 +22,7 @@ pub(super) fn text(arguments: &Arguments, answers: &[Answer], format: Format) ->
     let is_two_way = two_way.is_some();
     let tables =
         two_way.unwrap_or_else(|| vec![fitting(arguments, answers, &labels, &varying, format)]);
-    let shown = |table: &Table| match format {
-        Format::Markdown => table.to_markdown(),
-        Format::Latex => table.to_latex(),
-        _ => table.to_text(),
-    };
+    let shown = |table: &Table| table_text(table, format).unwrap_or_default();
     let mut text = tables.iter().map(shown).collect::<Vec<_>>().join("\n");
     if format == Format::Table {
         let name = |answer: &Answer| row_name(&answer.subject.labels(), &varying);

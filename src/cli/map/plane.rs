@@ -4,9 +4,13 @@ use super::{Arguments, MAX_POINTS};
 use crate::cli::progress::Bar;
 use crate::cli::subject::{Defaults, Subject};
 use crate::cli::{Failure, Outcome, numbers};
+use courant::analysis::scheme::catalogue;
 use courant::analysis::stability::SearchPlan;
 use courant::reports::plane_map::{PlaneAxis, plane_map};
 use courant::reports::publish::OutputDirectory;
+
+/// The longest name of a file before its axes.
+const LONGEST_STEM: usize = 60;
 
 fn refuse(message: impl Into<String>) -> Failure {
     Failure::Message(message.into())
@@ -49,11 +53,23 @@ pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcom
     Ok(Outcome::Yes)
 }
 
-/// A name for files.
+/// A name for files. What is not from the catalogue, or was cut, carries a number made of its whole text.
 fn stem(subject: &Subject) -> String {
+    let file = &*subject.file;
+    let mut catalogues =
+        [catalogue::schemes(), catalogue::spaces(), catalogue::methods()].into_iter().flatten();
+    let known = catalogues.any(|one| one == file);
     let words: Vec<String> = subject.labels().into_iter().map(|label| label.cell).collect();
     let plain = |c: char| if c.is_ascii_alphanumeric() || "-.".contains(c) { c } else { '_' };
     let text: String = words.join("_").chars().map(plain).collect();
     let short = text.split('_').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_");
-    short.chars().take(60).collect()
+    if known && short.len() <= LONGEST_STEM {
+        return short;
+    }
+    // Fowler, Noll & Vo's hash: the same in every run of every version.
+    let whole = format!("{} {}", words.join("\n"), file.equations.text);
+    let hash = whole
+        .bytes()
+        .fold(0x811c_9dc5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
+    format!("{}_{hash:08x}", &short[..short.len().min(LONGEST_STEM)])
 }

@@ -4,7 +4,7 @@ mod options;
 
 use super::{Failure, numbers};
 use courant::analysis::exact::laurent::Laurent;
-use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
+use courant::analysis::exact::rational::{Rational, decimal_below, integer, to_f64, to_text};
 use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::catalogue::SchemeFile;
 use courant::analysis::scheme::{Integrator, KernelLattice, Lines, SchemeError, Step};
@@ -343,7 +343,7 @@ impl Subject {
         }
         if let Some((kernel, ratio)) = &self.kernel {
             let heading = if method { "h/Δ" } else { "l/Δξ" };
-            let text = to_text(ratio);
+            let text = shown(ratio);
             labels.push(label("kernel", kernel.name(), kernel.title().into()));
             labels.push(label(heading, &text, format!("{heading} = {text}")));
         }
@@ -358,7 +358,7 @@ impl Subject {
         let pressure = |name: &str| self.eos.is_some() && name == PRESSURE;
         for (name, value) in self.values.iter().filter(|(name, _)| !pressure(name)) {
             let symbol = if name == "alpha" { "α" } else { name.as_str() };
-            labels.push(label(symbol, &to_text(value), format!("{symbol} = {}", to_text(value))));
+            labels.push(label(symbol, &shown(value), format!("{symbol} = {}", shown(value))));
         }
         labels
     }
@@ -368,6 +368,25 @@ impl Subject {
         let (kernel, ratio) = self.kernel.as_ref().filter(|_| self.kind == Kind::Method)?;
         Some((limit * to_f64(ratio), limit / kernel.standard_deviation()))
     }
+}
+
+/// The longest fraction that a heading has room for.
+const LONGEST_FRACTION: usize = 24;
+
+/// A value in headings and cells: exact where there is room, else cut off, with an ellipsis.
+pub fn shown(value: &Rational) -> String {
+    let text = to_text(value);
+    if text.len() <= LONGEST_FRACTION {
+        return text;
+    }
+    let digits = decimal_below(value, 17);
+    let (mantissa, exponent) = digits.split_at(digits.find('e').unwrap_or(digits.len()));
+    let short = match mantissa.contains('.') {
+        true => mantissa.trim_end_matches('0').trim_end_matches('.'),
+        false => mantissa,
+    };
+    let exact = format!("{short}{exponent}");
+    if numbers::number(&exact).as_ref() == Ok(value) { exact } else { format!("{digits}…") }
 }
 
 /// The name of a density on the command line.

@@ -404,7 +404,9 @@ impl SubjectOptions {
 fn scheme_file(kind: Kind, name: &str, all: &[SchemeFile]) -> Result<Arc<SchemeFile>, String> {
     if name.ends_with(".toml") {
         let text = std::fs::read_to_string(name).map_err(|error| names::unreadable(&error))?;
-        return SchemeFile::from_toml(&text).map(Arc::new).map_err(|error| error.to_string());
+        return SchemeFile::from_toml(&text)
+            .map(Arc::new)
+            .map_err(|error| names::misspelt_key(&error.to_string()));
     }
     let found = all.iter().find(|file| file.name == name.to_ascii_lowercase());
     found.map(|file| Arc::new(file.clone())).ok_or_else(|| {

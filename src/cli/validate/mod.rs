@@ -11,6 +11,7 @@ use super::{Failure, Outcome, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::{Rational, integer, ratio};
 use courant::analysis::kernel::Kernel;
+use courant::analysis::scheme::catalogue;
 use courant::simulation::advection::AdvectionScheme;
 
 #[derive(Debug, Args)]
@@ -51,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     // Without a subject those that the program ships running codes for.
     let schemes = (!arguments.subject.is_named())
         .then(|| AdvectionScheme::ALL.map(AdvectionScheme::name).join(","));
-    let integrators = method.then(|| particles::INTEGRATORS.join(","));
+    let integrators = method.then(|| catalogue::PARTICLE_INTEGRATORS.join(","));
     let defaults = Defaults { kernels, ratios: vec![ratio], schemes, integrators, published: true };
     let subjects = arguments.subject.subjects(&defaults)?;
     let running = |subject: &Subject| {

@@ -18,20 +18,6 @@ use courant::reports::table::{Align, Table};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// The integrators of the running particles.
-pub const INTEGRATORS: [&str; 10] = [
-    "forward-euler",
-    "symplectic-euler",
-    "centred-euler",
-    "leapfrog-kdk",
-    "leapfrog-kdk-predicted",
-    "rk2-midpoint",
-    "rk2-heun",
-    "rk3-ssp",
-    "rk4",
-    "predictor-corrector",
-];
-
 /// What a subject is to the running particles, `c Δt/h` and their number.
 fn case(
     subject: &Subject,

@@ -23,6 +23,28 @@ fn the_drift_of_the_longest_wave_is_not_named() {
     assert!((edge.multiplier + 1.0).norm() < 1e-15);
 }
 
+/// Found by attack: 1 is the multiplier of both for every wave, and only the longest does not drive the other.
+#[test]
+fn a_drift_that_the_longest_wave_has_not_is_growth() {
+    let driven = "u[n+1,j] = u[n,j]; v[n+1,j] = v[n,j] + C*(u[n,j] - u[n,j-1])";
+    let found = at(driven, &[("C", "1/2")]);
+    let growing = found.growing.unwrap();
+    assert_eq!((growing.phase, growing.multiplicity, found.drift), (std::f64::consts::PI, 2, None));
+    // Free particles drift as their equation says, the longest wave as well.
+    let free = at("x[n+1,j] = x[n,j] + C*v[n,j]; v[n+1,j] = v[n,j]", &[("C", "1/2")]);
+    assert!(free.growing.is_none() && free.drift.is_some());
+    // For every wave, or only where two waves meet at one value.
+    let every = |text: &str| {
+        let step = Step::from_text(text).unwrap();
+        let set = step.stable_set("C", &Default::default()).unwrap();
+        step.multiple_on_every_wave("C", &set).unwrap().map(|found| found.phase)
+    };
+    let beside = format!("{driven}; w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1])");
+    assert_eq!(every(&beside), Some(std::f64::consts::PI));
+    assert_eq!(every("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])"), None);
+    assert_eq!(every(STAGGERED), None);
+}
+
 #[test]
 fn equal_multipliers_with_as_many_eigenvectors_do_no_harm() {
     // Two waves that do not know of one another.

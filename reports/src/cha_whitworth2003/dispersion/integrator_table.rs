@@ -1,12 +1,13 @@
 //! The largest stable time step of every integrator, proved.
 
 use super::super::{COMMAND, ReportError};
-use super::{INTEGRATORS, integrator, lattice, usual_ratio};
+use super::{integrator, lattice, usual_ratio};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
+use courant_analysis::scheme::catalogue::PARTICLE_INTEGRATORS;
 use courant_analysis::scheme::{COURANT, Integrator, LatticeMethod};
 use courant_analysis::stability::{Limit, SearchPlan};
 use courant_analysis::waves::sweep::SweepError;
@@ -85,7 +86,7 @@ fn by_integrator() -> Result<Item, ReportError> {
     columns.extend(names.iter().map(|name| (name.as_str(), Align::Right)));
     let caption = "Largest stable c Δt/h, proved: cubic B-spline, ρ0 = M Σ W, isothermal";
     let mut table = Table::new(caption, &columns);
-    let cases: Vec<_> = INTEGRATORS
+    let cases: Vec<_> = PARTICLE_INTEGRATORS
         .into_iter()
         .flat_map(|name| METHODS.map(|method| (integrator(name), method)))
         .collect();

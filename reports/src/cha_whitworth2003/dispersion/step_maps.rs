@@ -1,12 +1,13 @@
 //! The largest stable step of every integrator over the (h, α) plane.
 
 use super::super::{Detail, ReportError};
-use super::{INTEGRATORS, figure_item, integrator, lattice};
+use super::{figure_item, integrator, lattice};
 use crate::figure::{Figure, Side};
 use crate::page::Item;
 use crate::step_map::{StepMap, step_map};
 use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
+use courant_analysis::scheme::catalogue::PARTICLE_INTEGRATORS;
 use courant_analysis::waves::dispersion::sweep::even_axis;
 use courant_analysis::waves::sweep::Progress;
 use std::ops::ControlFlow;
@@ -21,11 +22,11 @@ pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError>
     let ratios = even_axis(&integer(1), &integer(2), columns);
     let alphas: Vec<f64> = (0..rows).map(|i| 3.0 * i as f64 / (rows - 1) as f64).collect();
     let viscous = lattice("sph-av", Kernel::CubicSpline, &integer(1))?;
-    let count = INTEGRATORS.len();
+    let count = PARTICLE_INTEGRATORS.len();
     let mut figure = Figure::grid(count.div_ceil(3), 3).size(8.2, 10.6);
     let mut data = Vec::new();
     let mut maps = Vec::new();
-    for (index, integrator) in INTEGRATORS.map(integrator).into_iter().enumerate() {
+    for (index, integrator) in PARTICLE_INTEGRATORS.map(integrator).into_iter().enumerate() {
         let part = |done: usize, all: usize| -> ControlFlow<()> {
             progress(index * all + done, count * all)
         };
