@@ -17,4 +17,5 @@ pub mod polynomial;
 pub mod rational;
 pub mod real_roots;
 pub mod stencil;
+pub(crate) mod torus_series;
 pub(crate) mod unit_interval;
