@@ -152,6 +152,14 @@ impl Step {
         &self.names
     }
 
+    /// How one of its polynomials is printed: the shifts as `E`, in two and three dimensions as `E_1`, `E_2`, `E_3`.
+    pub fn text(&self, polynomial: &Laurent) -> String {
+        polynomial.to_text(&|place| match (place, self.dimension) {
+            (1, 2..) => "E_1".into(),
+            _ => self.names.name_at(place),
+        })
+    }
+
     /// `P` by rows: one equation each, times what clears its denominators.
     pub fn matrix(&self) -> &Matrix {
         &self.matrix

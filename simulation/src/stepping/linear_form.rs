@@ -231,7 +231,8 @@ impl Reader<'_> {
             *cell = halves(*offset, index);
         }
         let level = unknown.time.map_or(0, |time| halves(time, index));
-        let (half_level, half_cell) = (level.rem_euclid(2), cell.map(|halves| halves.rem_euclid(2)));
+        let (half_level, half_cell) =
+            (level.rem_euclid(2), cell.map(|halves| halves.rem_euclid(2)));
         let number = match self.unknowns.iter().position(|known| known.name == unknown.name) {
             Some(number) => number,
             None => {

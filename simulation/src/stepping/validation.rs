@@ -65,6 +65,8 @@ pub struct Validation {
     pub rows: Vec<Row>,
     /// Cells along each axis.
     pub cells: PerAxis<usize>,
+    /// Steps of the runs.
+    pub steps: usize,
     /// The largest error of a row.
     pub max_error: f64,
     /// The largest tolerance of a row; where a row fails, that of the row that fails by most.
@@ -116,7 +118,10 @@ pub fn validate(
     let mut failure = None;
     for propagator in &propagators {
         if fails(propagator.other_waves, 1.0) {
-            failure.get_or_insert(format!("a step makes other waves of wave {}", propagator.mode.joined(", ")));
+            failure.get_or_insert(format!(
+                "a step makes other waves of wave {}",
+                propagator.mode.joined(", ")
+            ));
         }
         let pairs = pairs(propagator, predicted(&propagator.phase));
         let multipliers: Vec<_> = pairs.iter().map(|pair| pair.predicted).collect();
@@ -127,7 +132,7 @@ pub fn validate(
         }
         last = order.iter().map(|&place| multipliers[place]).collect();
     }
-    Ok(summary(rows, torus.points().clone(), failure))
+    Ok(summary(rows, torus.points().clone(), plan.steps, failure))
 }
 
 /// A predicted multiplier and the measured one that belongs to it.
@@ -186,7 +191,12 @@ fn fails(error: f64, tolerance: f64) -> bool {
     error.is_nan() || tolerance.is_nan() || error > tolerance
 }
 
-fn summary(rows: Vec<Row>, cells: PerAxis<usize>, mut failure: Option<String>) -> Validation {
+fn summary(
+    rows: Vec<Row>,
+    cells: PerAxis<usize>,
+    steps: usize,
+    mut failure: Option<String>,
+) -> Validation {
     let largest = |values: &mut dyn Iterator<Item = f64>| {
         values.fold(0.0, |most: f64, next| if next > most || next.is_nan() { next } else { most })
     };
@@ -210,6 +220,7 @@ fn summary(rows: Vec<Row>, cells: PerAxis<usize>, mut failure: Option<String>) -
     Validation {
         rows,
         cells,
+        steps,
         max_error,
         tolerance,
         tolerance_meaning: TOLERANCE_MEANING,
