@@ -366,7 +366,7 @@ fn one_step_of_every_integrator_multiplies_every_mode_as_predicted() {
                 let [b, d] = [part(&moving, 0), part(&moving, 1)];
                 let found = roots(-(a + d), a * d - b * c);
                 // c Δt/h
-                let expected = step.multipliers(&[dt / ring.h], phase);
+                let expected = step.multipliers(&[dt / ring.h], &[phase]);
                 let what = format!("{kernel} {force:?} {integrator} κ {phase}");
                 assert_same_pair(found, [expected[0], expected[1]], &what);
             }

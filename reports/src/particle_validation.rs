@@ -295,7 +295,7 @@ impl ParticleCase {
 
     /// What one step multiplies the two waves of a mode by.
     fn predicted(&self, step: &CompiledStep, mode: usize) -> [Complex64; 2] {
-        let found = step.multipliers(&[self.courant], self.phase(mode));
+        let found = step.multipliers(&[self.courant], &[self.phase(mode)]);
         [found[0], found[1]]
     }
 

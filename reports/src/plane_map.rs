@@ -76,7 +76,7 @@ pub fn plane_map(
                         .collect();
                     (0..=PHASES).fold([0.0, f64::INFINITY], |[most, least]: [f64; 2], index| {
                         let phase = PI * index as f64 / PHASES as f64;
-                        let multipliers = compiled.multipliers(&values, phase);
+                        let multipliers = compiled.multipliers(&values, &[phase]);
                         let gain = multipliers.iter().map(|z| z.norm()).fold(0.0, f64::max);
                         [most.max(gain), least.min(gain)]
                     })

@@ -86,10 +86,12 @@ fn answer(subject: Subject) -> Result<Answer, Failure> {
     };
     let failed = |error| subject.failure(&error);
     let chi = step.characteristic().map_err(failed)?;
-    // The newest level without a shift, where that is possible.
+    // The newest level without shifts, where that is possible.
     let leading = chi.coefficients(Variable::TIME).pop().unwrap_or_default();
-    let low = leading.range(Variable::axis(0)).map_or(0, |(low, _)| low);
-    let characteristic = chi.shifted(Variable::axis(0), -low).coefficients(Variable::TIME);
+    let shifted = (0..step.dimension())
+        .map(Variable::axis)
+        .fold(chi, |chi, axis| chi.shifted(axis, -leading.range(axis).map_or(0, |(low, _)| low)));
+    let characteristic = shifted.coefficients(Variable::TIME);
     let one_step = parameter.as_ref().and_then(|name| step.one_step(name));
     // Orders are compared with one exact step, which the catalogue states: here that of advection.
     let exact = subject.file.exact.as_deref();
@@ -102,7 +104,7 @@ fn answer(subject: Subject) -> Result<Answer, Failure> {
 fn record(arguments: &Arguments, answer: &Answer) -> SymbolRecord {
     let step = &answer.step;
     let matrix = || {
-        let row = |row: &Vec<Laurent>| row.iter().map(|entry| step.names().text(entry)).collect();
+        let row = |row: &Vec<Laurent>| row.iter().map(|entry| step.text(entry)).collect();
         step.matrix().rows().iter().map(row).collect()
     };
     let characteristic = characteristic_latex(answer);
@@ -173,15 +175,13 @@ fn in_powers(
 }
 
 fn characteristic_text(answer: &Answer) -> String {
-    let names = answer.step.names();
     let power = |exponent| if exponent == 1 { "z".into() } else { format!("z^{exponent}") };
-    in_powers(answer, |coefficient| names.text(coefficient), power)
+    in_powers(answer, |coefficient| answer.step.text(coefficient), power)
 }
 
-/// The same, with `E = e^{iφ}`.
+/// The same in LaTeX.
 fn characteristic_latex(answer: &Answer) -> String {
-    let names = answer.step.names();
-    let write = |coefficient: &Laurent| latex(&names.text(coefficient));
+    let write = |coefficient: &Laurent| latex(&answer.step.text(coefficient));
     in_powers(answer, write, |exponent| format!("z^{{{exponent}}}").replace("^{1}", ""))
 }
 
@@ -277,7 +277,11 @@ fn text(answer: &Answer, format: Format) -> String {
     let mut lines: Vec<String> = Vec::new();
     lines.extend(answer.one_step.as_ref().map(OneStep::to_text));
     if answer.one_step.is_none() || answer.subject.kernel.is_none() {
-        lines.push(format!("{shown}, E = e^(iφ)"));
+        let shifts: Vec<&str> = match answer.step.dimension() {
+            1 => vec!["E = e^(iφ)"],
+            several => ["E_1 = e^(iφ_x)", "E_2 = e^(iφ_y)", "E_3 = e^(iφ_z)"][..several].to_vec(),
+        };
+        lines.push(format!("{shown}, {}", shifts.join(", ")));
     }
     for (_, letter) in answer.step.names().letters().filter(|_| answer.one_step.is_none()) {
         let what = match &letter.kind {

@@ -126,15 +126,21 @@ impl CosineSeries<f64> {
     /// The value where `cos φ = cosine`, by Clenshaw's recurrence.
     #[inline]
     pub fn at_cosine(&self, cosine: f64) -> f64 {
-        let twice = 2.0 * cosine;
-        let (mut first, mut second) = (0.0, 0.0);
-        let Some((constant, rest)) = self.coefficients.split_first() else { return 0.0 };
-        for value in rest.iter().rev() {
-            // No `mul_add`: where the target has no such instruction it is a slow library call.
-            (first, second) = (twice * first + (value - second), first);
-        }
-        cosine * first + (constant - second)
+        clenshaw(self.coefficients.iter().copied(), cosine)
     }
+}
+
+/// `Σ_m r_m cos mφ` where `cos φ = cosine`, by Clenshaw's recurrence.
+#[inline]
+pub(crate) fn clenshaw(mut coefficients: impl DoubleEndedIterator<Item = f64>, cosine: f64) -> f64 {
+    let twice = 2.0 * cosine;
+    let (mut first, mut second) = (0.0, 0.0);
+    let Some(constant) = coefficients.next() else { return 0.0 };
+    for value in coefficients.rev() {
+        // No `mul_add`: where the target has no such instruction it is a slow library call.
+        (first, second) = (twice * first + (value - second), first);
+    }
+    cosine * first + (constant - second)
 }
 
 #[cfg(test)]

@@ -18,4 +18,5 @@ pub mod rational;
 pub mod real_roots;
 pub mod stencil;
 pub mod tensor;
+pub(crate) mod torus_series;
 pub(crate) mod unit_interval;

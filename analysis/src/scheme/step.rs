@@ -147,6 +147,11 @@ impl Step {
         self.dimension
     }
 
+    /// For what is decided in one dimension only.
+    pub(crate) fn one_dimension(&self) -> Result<(), SchemeError> {
+        if self.dimension == 1 { Ok(()) } else { Err(SchemeError::Dimension(self.dimension)) }
+    }
+
     /// The names of the unknowns.
     pub fn unknowns(&self) -> &[String] {
         &self.unknowns
@@ -155,6 +160,14 @@ impl Step {
     /// The parameters and letters of its polynomials.
     pub fn names(&self) -> &Names {
         &self.names
+    }
+
+    /// How one of its polynomials is printed: the shifts as `E`, in two and three dimensions as `E_1`, `E_2`, `E_3`.
+    pub fn text(&self, polynomial: &Laurent) -> String {
+        polynomial.to_text(&|place| match (place, self.dimension) {
+            (1, 2..) => "E_1".into(),
+            _ => self.names.name_at(place),
+        })
     }
 
     /// `P` by rows: one equation each, times what clears its denominators.

@@ -77,12 +77,13 @@ pub struct Multiplicity {
 /// ```
 ///
 /// # Errors
-/// When a parameter has no value.
+/// When a parameter has no value, or in more than one space dimension.
 pub fn multiplicity_at(step: &Step) -> Result<Multiplicity, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
+    step.one_dimension()?;
     let chi = primitive_characteristic(step)?;
     let terms = difference_terms(&chi);
     let chi = chi.coefficients(Variable::TIME);
@@ -264,7 +265,7 @@ fn multiple_at(
         let eigenvectors = nullity(step, matrix, precise, place, &z, tolerance.nothing);
         if eigenvectors < multiplicity {
             found.push(MultipleMultiplier {
-                phase: place.phase(),
+                phase: place.0[0].phase(),
                 multiplier: z.to_c64(),
                 multiplicity,
                 eigenvectors,

@@ -1,11 +1,12 @@
 //! What one step does to a wave, in as many digits as asked for.
 
 use super::roots::{circles, roots};
-use super::wave_terms::{Factored, WaveTerm};
+use super::wave_terms::{WavePart, WaveTerm};
 use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::Rational;
+use crate::exact::torus_series::DenseSeries;
 use crate::scheme::Step;
 use num_bigint::BigInt;
 use num_complex::Complex64;
@@ -14,20 +15,47 @@ use num_traits::{One, Zero};
 /// Iterations of Aberth's method at most; a multiple root gains one bit in each.
 const MOST_ITERATIONS: usize = 200;
 
-/// A wave by `s = sin²(φ/2)` and `1 − s`, each with all its digits.
+/// A wave, its phases one for each axis.
 #[derive(Debug, Clone)]
-pub(crate) struct Place {
+pub(crate) struct Place(pub(crate) Vec<AxisPlace>);
+
+/// One phase by `s = sin²(φ/2)` and `1 − s`, each with all its digits, and the sign of `sin φ`.
+#[derive(Debug, Clone)]
+pub(crate) struct AxisPlace {
     pub(crate) s: Float,
     pub(crate) complement: Float,
+    pub(crate) backward: bool,
 }
 
-impl Place {
-    /// The phase in radians.
+impl AxisPlace {
+    /// The phase in radians, from −π to π.
     pub(crate) fn phase(&self) -> f64 {
         if self.complement.is_zero() {
             return std::f64::consts::PI;
         }
-        2.0 * self.s.sqrt().to_f64().atan2(self.complement.sqrt().to_f64())
+        let phase = 2.0 * self.s.sqrt().to_f64().atan2(self.complement.sqrt().to_f64());
+        if self.backward { -phase } else { phase }
+    }
+
+    fn cosine(&self) -> Float {
+        &self.complement - &self.s
+    }
+
+    fn sine(&self) -> Float {
+        let sine = (&self.s * &self.complement).sqrt().scaled(1);
+        if self.backward { -&sine } else { sine }
+    }
+
+    /// `[1, cos φ, cos 2φ, …]`, so many.
+    fn cosines(&self, count: usize, bits: u32) -> Vec<Float> {
+        let cosine = self.cosine();
+        let twice = cosine.clone().scaled(1);
+        let mut cosines = vec![Float::integer(&BigInt::one(), bits), cosine];
+        while cosines.len() < count {
+            let [.., before, last] = cosines.as_slice() else { unreachable!("it starts with two") };
+            cosines.push(&(&twice * last) - before);
+        }
+        cosines
     }
 }
 
@@ -43,15 +71,15 @@ pub(crate) struct PreciseStep {
 #[derive(Debug, Clone)]
 struct PreciseTerm {
     letters: Vec<(usize, i32)>,
-    even: PrecisePart,
-    odd: PrecisePart,
+    parts: Vec<PrecisePart>,
 }
 
 #[derive(Debug, Clone)]
 struct PrecisePart {
-    s_power: i32,
-    complement_power: i32,
-    series: Vec<Float>,
+    odd: [bool; 3],
+    s_powers: [i32; 3],
+    complement_powers: [i32; 3],
+    series: DenseSeries<Float>,
 }
 
 impl PreciseStep {
@@ -59,10 +87,11 @@ impl PreciseStep {
     pub(crate) fn new(step: &Step, terms: &[Vec<WaveTerm>], bits: u32) -> Self {
         let letters: Vec<_> = step.names.letters().collect();
         let place = |name: Variable| letters.iter().position(|(known, _)| *known == name);
-        let part = |part: &Factored<BigInt>| PrecisePart {
-            s_power: part.s_power,
-            complement_power: part.complement_power,
-            series: part.series.coefficients().iter().map(|v| Float::integer(v, bits)).collect(),
+        let part = |part: &WavePart| PrecisePart {
+            odd: part.odd,
+            s_powers: part.s_powers,
+            complement_powers: part.complement_powers,
+            series: DenseSeries::new(&part.series, step.dimension, |v| Float::integer(v, bits)),
         };
         let term = |term: &WaveTerm| PreciseTerm {
             letters: term
@@ -70,8 +99,7 @@ impl PreciseStep {
                 .iter()
                 .filter_map(|&(name, power)| Some((place(name)?, power)))
                 .collect(),
-            even: part(&term.even),
-            odd: part(&term.odd),
+            parts: term.parts.iter().map(part).collect(),
         };
         let value = |series: &EnclosedSeries| -> Vec<Float> {
             let center = series.center();
@@ -81,8 +109,9 @@ impl PreciseStep {
             letters.iter().map(|(_, letter)| value(&letter.value)).collect();
         let powers: Vec<Vec<PreciseTerm>> =
             terms.iter().map(|power| power.iter().map(term).collect()).collect();
-        let series = powers.iter().flatten().flat_map(|term| [&term.even.series, &term.odd.series]);
-        let orders = series.chain(&letters).map(Vec::len).max().unwrap_or(0);
+        let parts = powers.iter().flatten().flat_map(|term| &term.parts);
+        let lengths = parts.flat_map(|part| part.series.lengths.iter().copied());
+        let orders = lengths.chain(letters.iter().map(Vec::len)).max().unwrap_or(0);
         Self { bits, letters, powers, orders }
     }
 
@@ -91,69 +120,90 @@ impl PreciseStep {
         self.bits
     }
 
-    /// `x` as a wave between an end of `s` and another.
+    /// In one dimension, `x` as a wave between an end of `s` and another.
     pub(crate) fn place(&self, anchor: &Rational, width: &Rational, x: f64) -> Place {
-        let fraction = |value: &Rational| Float::fraction(value, 2 * self.bits);
-        let moved = &fraction(width) * &Float::from_f64(x, self.bits);
-        let cut = |value: Float| &value * &Float::integer(&BigInt::one(), self.bits);
-        Place {
-            s: cut(&fraction(anchor) + &moved),
-            complement: cut(&fraction(&(Rational::one() - anchor)) - &moved),
+        let moved = &self.fraction(width) * &Float::from_f64(x, self.bits);
+        Place(vec![AxisPlace {
+            s: self.cut(&self.fraction(anchor) + &moved),
+            complement: self.cut(&self.fraction(&(Rational::one() - anchor)) - &moved),
+            backward: false,
+        }])
+    }
+
+    fn fraction(&self, value: &Rational) -> Float {
+        Float::fraction(value, 2 * self.bits)
+    }
+
+    fn cut(&self, value: Float) -> Float {
+        &value * &Float::integer(&BigInt::one(), self.bits)
+    }
+
+    /// A sum over the orders along all axes.
+    fn sum(&self, series: &DenseSeries<Float>, cosines: &[Vec<Float>]) -> Float {
+        let mut sum = Float::zero(self.bits);
+        for (place, value) in series.values.iter().enumerate() {
+            if value.is_zero() {
+                continue;
+            }
+            let (mut term, mut rest) = (value.clone(), place);
+            for (cosines, length) in cosines.iter().zip(&series.lengths).rev() {
+                term = &term * &cosines[rest % length];
+                rest /= length;
+            }
+            sum = &sum + &term;
         }
+        sum
     }
 
-    /// `[1, cos φ, cos 2φ, …]`.
-    fn cosines(&self, at: &Place) -> Vec<Float> {
-        let cosine = &at.complement - &at.s;
-        let twice = cosine.clone().scaled(1);
-        let mut cosines = vec![Float::integer(&BigInt::one(), self.bits), cosine];
-        while cosines.len() < self.orders {
-            let [.., before, last] = cosines.as_slice() else { unreachable!("it starts with two") };
-            cosines.push(&(&twice * last) - before);
-        }
-        cosines
+    fn cosines(&self, at: &Place) -> Vec<Vec<Float>> {
+        at.0.iter().map(|axis| axis.cosines(self.orders, self.bits)).collect()
     }
 
-    fn sum(&self, series: &[Float], cosines: &[Float]) -> Float {
-        let terms = series.iter().zip(cosines);
-        terms.fold(Float::zero(self.bits), |sum, (value, cosine)| &sum + &(value * cosine))
+    /// Letters are functions of the first phase.
+    fn letter_values(&self, cosines: &[Vec<Float>]) -> Vec<Float> {
+        let value = |letter: &Vec<Float>| {
+            let terms = letter.iter().zip(&cosines[0]);
+            terms.fold(Float::zero(self.bits), |sum, (value, cosine)| &sum + &(value * cosine))
+        };
+        self.letters.iter().map(value).collect()
     }
 
-    fn letter_values(&self, at: &Place) -> Vec<Float> {
-        let cosines = self.cosines(at);
-        self.letters.iter().map(|letter| self.sum(letter, &cosines)).collect()
+    fn power(&self, base: &Float, exponent: i32) -> Float {
+        (0..exponent).fold(Float::integer(&BigInt::one(), self.bits), |power, _| &power * base)
     }
 
     /// `[b_0, b_1, …]` of `χ(1 + y)`.
     pub(crate) fn coefficients(&self, at: &Place) -> Vec<ComplexFloat> {
         let cosines = self.cosines(at);
-        let sine = (&at.s * &at.complement).sqrt().scaled(1);
-        let sum = |series: &[Float]| self.sum(series, &cosines);
-        let letters: Vec<Float> = self.letters.iter().map(|letter| sum(letter)).collect();
-        let power = |base: &Float, exponent: i32| {
-            (0..exponent).fold(Float::integer(&BigInt::one(), self.bits), |p, _| &p * base)
-        };
+        let sines: Vec<Float> = at.0.iter().map(AxisPlace::sine).collect();
+        let letters = self.letter_values(&cosines);
         let part = |part: &PrecisePart| {
-            if part.series.is_empty() {
-                return Float::zero(self.bits);
+            let mut value = ComplexFloat::real(self.sum(&part.series, &cosines));
+            for (axis, place) in at.0.iter().enumerate() {
+                let factor = &self.power(&place.s, part.s_powers[axis])
+                    * &self.power(&place.complement, part.complement_powers[axis]);
+                value = ComplexFloat { re: &value.re * &factor, im: &value.im * &factor };
+                if part.odd[axis] {
+                    // Times i sin φ.
+                    let sine = &sines[axis];
+                    value = ComplexFloat { re: -&(&value.im * sine), im: &value.re * sine };
+                }
             }
-            let factor =
-                &power(&at.s, part.s_power) * &power(&at.complement, part.complement_power);
-            &factor * &sum(&part.series)
+            value
         };
+        let zero = || ComplexFloat::real(Float::zero(self.bits));
         self.powers
             .iter()
             .map(|terms| {
-                terms.iter().fold(ComplexFloat::real(Float::zero(self.bits)), |total, term| {
+                terms.iter().fold(zero(), |total, term| {
                     let factor = term.letters.iter().fold(
                         Float::integer(&BigInt::one(), self.bits),
                         |product, &(letter, exponent)| {
-                            &product * &power(&letters[letter], exponent)
+                            &product * &self.power(&letters[letter], exponent)
                         },
                     );
-                    let odd = &part(&term.odd) * &sine;
-                    let value =
-                        ComplexFloat { re: &part(&term.even) * &factor, im: &odd * &factor };
+                    let parts = term.parts.iter().fold(zero(), |sum, p| &sum + &part(p));
+                    let value = ComplexFloat { re: &parts.re * &factor, im: &parts.im * &factor };
                     &total + &value
                 })
             })
@@ -168,19 +218,22 @@ impl PreciseStep {
         at: &Place,
         z: &ComplexFloat,
     ) -> (ComplexFloat, Option<i64>) {
-        let sine = (&at.s * &at.complement).sqrt().scaled(1);
-        let shift = ComplexFloat { re: &at.complement - &at.s, im: sine };
+        let shift = |axis: &AxisPlace| ComplexFloat { re: axis.cosine(), im: axis.sine() };
+        let shifts: Vec<ComplexFloat> = at.0.iter().map(shift).collect();
         let one = ComplexFloat::real(Float::integer(&BigInt::one(), self.bits));
         let power = |base: &ComplexFloat, exponent: i16| {
             let product = (0..exponent.unsigned_abs()).fold(one.clone(), |p, _| &p * base);
             if exponent < 0 { &one / &product } else { product }
         };
-        let letters = self.letter_values(at);
+        let letters = self.letter_values(&self.cosines(at));
         let places: Vec<Variable> = step.names.letters().map(|(place, _)| place).collect();
         let (mut sum, mut size) = (ComplexFloat::real(Float::zero(self.bits)), None);
         for (exponents, coefficient) in polynomial.terms() {
             let coefficient = ComplexFloat::real(Float::integer(coefficient, self.bits));
-            let wave = &power(z, exponents[0]) * &power(&shift, exponents[1]);
+            let wave = shifts.iter().zip(&exponents[1..]);
+            let wave = wave.fold(power(z, exponents[0]), |wave, (shift, &exponent)| {
+                &wave * &power(shift, exponent)
+            });
             let mut term = &coefficient * &wave;
             for (place, letter) in places.iter().zip(&letters) {
                 term = &term * &power(&ComplexFloat::real(letter.clone()), exponents[place.0]);

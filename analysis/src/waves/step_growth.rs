@@ -89,7 +89,7 @@ impl Growth {
 /// ```
 ///
 /// # Errors
-/// When a parameter has no value.
+/// When a parameter has no value, or in more than one space dimension.
 pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
@@ -101,6 +101,7 @@ pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
 
 /// [`growth_at`] with the conditions known.
 pub(crate) fn growth_under(step: &Step, demands: &DemandsAt) -> Result<Growth, SchemeError> {
+    step.one_dimension()?;
     let chi = primitive_characteristic(step)?;
     let terms = difference_terms(&chi);
     let chi = chi.coefficients(Variable::TIME);
@@ -162,7 +163,7 @@ fn growth_of(place: &Place, (excess, y): &(Float, ComplexFloat)) -> Growth {
     let per_step = growth.to_f64();
     let logarithm = if per_step.abs() < 0.5 { per_step.ln_1p() } else { modulus.ln() };
     let multiplier = (y + &ComplexFloat::real(one)).to_c64();
-    Growth { per_step, logarithm, phase: place.phase(), multiplier }
+    Growth { per_step, logarithm, phase: place.0[0].phase(), multiplier }
 }
 
 /// A wave for which the leading coefficient vanishes.
@@ -280,7 +281,7 @@ impl Search<'_> {
             Some(end.filter(|end| !is_larger(&found.1.0, &end.1.0)).unwrap_or(found))
         });
         // Of equal ones the longer wave.
-        let phase = |spot: &Spot| spot.place(&self.precise).phase();
+        let phase = |spot: &Spot| spot.place(&self.precise).0[0].phase();
         refined.reduce(|a, b| {
             let better = is_larger(&b.1.0, &a.1.0);
             let longer = || !is_larger(&a.1.0, &b.1.0) && phase(&b.0) < phase(&a.0);
@@ -336,8 +337,9 @@ impl Search<'_> {
     /// `|z|² − 1`, in `f64` where that is known to suffice; logarithmic beyond 1, so that it does not overflow.
     fn value(&self, spot: &Spot) -> f64 {
         let place = spot.place(&self.precise);
+        let axis = &place.0[0];
         let (excess, error) =
-            self.compiled.largest_excess(place.s.to_f64(), place.complement.to_f64());
+            self.compiled.largest_excess(axis.s.to_f64(), axis.complement.to_f64());
         if error < SUFFICIENT * excess.abs() {
             return if excess > 1.0 { 1.0 + excess.ln() } else { excess };
         }

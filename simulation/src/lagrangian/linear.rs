@@ -297,8 +297,8 @@ mod tests {
             for index in 1..=24 {
                 let phase = TAU * f64::from(index) / 48.0;
                 for courant in [0.4, 1.7] {
-                    let found = sound.multipliers(&[courant], phase);
-                    let g = one_way.multipliers(&[courant], phase)[0];
+                    let found = sound.multipliers(&[courant], &[phase]);
+                    let g = one_way.multipliers(&[courant], &[phase])[0];
                     let apart = |a: Complex64, b: Complex64| {
                         (found[0] - a).norm().max((found[1] - b).norm())
                     };
@@ -335,8 +335,8 @@ mod tests {
                     for mode in [0, 1, 5, 12] {
                         let phase = TAU * mode as f64 / 24.0;
                         let found = flow().amplification(&options, courant, mode).expect("valid");
-                        let g = sound.multipliers(&[courant], phase)[0];
-                        let wanted = [g.conj(), contact.multipliers(&[courant], phase)[0], g];
+                        let g = sound.multipliers(&[courant], &[phase])[0];
+                        let wanted = [g.conj(), contact.multipliers(&[courant], &[phase])[0], g];
                         for (row, line) in found.iter().enumerate() {
                             for (column, value) in line.iter().enumerate() {
                                 let target =

@@ -1,7 +1,7 @@
 //! Limits confirmed by runs from noise.
 
 use super::SteppingError;
-use super::ring_scheme::{Ring, RingScheme};
+use super::torus_scheme::{Torus, TorusScheme};
 use crate::advection::SplitMix64;
 use serde::Serialize;
 
@@ -9,18 +9,22 @@ use serde::Serialize;
 const GROWN: f64 = 1e4;
 
 /// What runs from noise are allowed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NoisePlan {
-    /// Cells of the ring: a wave that binds must be near one of its waves.
-    pub cells: usize,
+    /// Cells along each axis: a wave that binds must be near one of the waves of this torus.
+    pub points: Vec<usize>,
     /// A run that has not grown by then is bounded.
     pub most_steps: usize,
 }
 
-impl Default for NoisePlan {
-    /// 64 cells, 16384 steps.
-    fn default() -> Self {
-        Self { cells: 64, most_steps: 16_384 }
+impl NoisePlan {
+    /// 64 cells, 16 × 16 or 8 × 8 × 8, 16384 steps.
+    ///
+    /// # Panics
+    /// For other dimensions than 1, 2 and 3.
+    pub fn in_dimension(dimension: usize) -> Self {
+        let along = [64, 16, 8][dimension - 1];
+        Self { points: vec![along; dimension], most_steps: 16_384 }
     }
 }
 
@@ -55,10 +59,10 @@ pub struct Bracket {
 ///
 /// ```
 /// use courant_analysis::scheme::language::parse;
-/// use courant_simulation::stepping::{NoisePlan, RingScheme, bracket_limit};
+/// use courant_simulation::stepping::{NoisePlan, TorusScheme, bracket_limit};
 /// let upwind = parse("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])")?;
-/// let scheme_at = |value| RingScheme::new(&upwind, None, None, &[("C".into(), value)]);
-/// let bracket = bracket_limit(scheme_at, 1.0, NoisePlan::default())?;
+/// let scheme_at = |value| TorusScheme::new(&upwind, None, None, &[("C".into(), value)]);
+/// let bracket = bracket_limit(scheme_at, 1.0, &NoisePlan::in_dimension(1))?;
 /// assert!(bracket.confirmed && bracket.above.value - bracket.below.value < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -66,13 +70,14 @@ pub struct Bracket {
 /// # Errors
 /// When the scheme cannot be run at one of the values.
 pub fn bracket_limit(
-    scheme_at: impl Fn(f64) -> Result<RingScheme, SteppingError>,
+    scheme_at: impl Fn(f64) -> Result<TorusScheme, SteppingError>,
     limit: f64,
-    plan: NoisePlan,
+    plan: &NoisePlan,
 ) -> Result<Bracket, SteppingError> {
     let at = |distance: f64| -> Result<Bracket, SteppingError> {
-        let run =
-            |value: f64| scheme_at(value)?.ring(plan.cells).map(|r| noise_run(&r, value, plan));
+        let run = |value: f64| {
+            scheme_at(value)?.torus(&plan.points).map(|t| noise_run(&t, value, plan.most_steps))
+        };
         let (below, above) = (run(limit * (1.0 - distance))?, run(limit * (1.0 + distance))?);
         Ok(Bracket { below, above, confirmed: !below.grew && above.grew })
     };
@@ -93,10 +98,10 @@ pub fn bracket_limit(
 }
 
 /// Starts from noise in all arrays of the history and steps until the values have grown beyond doubt, or to the end.
-pub fn noise_run(ring: &Ring<'_>, value: f64, plan: NoisePlan) -> NoiseRun {
+pub fn noise_run(torus: &Torus<'_>, value: f64, most_steps: usize) -> NoiseRun {
     let mut random = SplitMix64::new(0x006e_6f69_7365);
-    let mut state: Vec<Vec<f64>> = (0..ring.history())
-        .map(|_| (0..ring.cells()).map(|_| random.symmetric()).collect())
+    let mut state: Vec<Vec<f64>> = (0..torus.history())
+        .map(|_| (0..torus.cells()).map(|_| random.symmetric()).collect())
         .collect();
     let norm = |state: &[Vec<f64>]| -> f64 {
         state
@@ -106,8 +111,8 @@ pub fn noise_run(ring: &Ring<'_>, value: f64, plan: NoisePlan) -> NoiseRun {
     };
     let start = norm(&state);
     let mut growths = vec![1.0];
-    for _ in 0..plan.most_steps {
-        ring.step(&mut state);
+    for _ in 0..most_steps {
+        torus.step(&mut state);
         let growth = norm(&state) / start;
         growths.push(growth);
         // Far enough for the second half to show how it grows; what is no number ends too.

@@ -15,8 +15,8 @@ pub(super) struct Place {
     pub unknown: usize,
     /// Levels after the present one; 0 in the method of lines.
     pub level: i32,
-    /// Cells to the right. What stands at half indices is stored at the cell to their left.
-    pub offset: i32,
+    /// Cells along each axis. What stands at half indices is stored at the cell before them.
+    pub offset: [i32; 3],
     /// Whether it is the time derivative.
     pub derivative: bool,
 }
@@ -25,6 +25,8 @@ pub(super) struct Place {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LinearForms {
     pub unknowns: Vec<String>,
+    /// How many space indices the unknowns have.
+    pub dimension: usize,
     /// Whether the equations are for `u[j]'`.
     pub of_lines: bool,
     pub equations: Vec<BTreeMap<Place, Rounded>>,
@@ -43,8 +45,9 @@ impl LinearForms {
         lattice: Option<&KernelLattice>,
         parameters: &[(String, f64)],
     ) -> Result<Self, SteppingError> {
+        let unknowns = Vec::new();
         let mut reader =
-            Reader { tree, lattice, parameters, unknowns: Vec::new(), of_lines: false };
+            Reader { tree, lattice, parameters, unknowns, dimension: 0, of_lines: false };
         let mut equations = Vec::new();
         for equation in &tree.equations {
             let left = reader.value(&equation.left, None)?;
@@ -61,6 +64,7 @@ impl LinearForms {
         }
         Ok(Self {
             unknowns: reader.unknowns.into_iter().map(|known| known.name).collect(),
+            dimension: reader.dimension,
             of_lines: reader.of_lines,
             equations,
         })
@@ -71,7 +75,7 @@ impl LinearForms {
 struct Known {
     name: String,
     half_level: i32,
-    half_cell: i32,
+    half_cell: [i32; 3],
 }
 
 struct Reader<'a> {
@@ -79,6 +83,7 @@ struct Reader<'a> {
     lattice: Option<&'a KernelLattice>,
     parameters: &'a [(String, f64)],
     unknowns: Vec<Known>,
+    dimension: usize,
     of_lines: bool,
 }
 
@@ -217,12 +222,17 @@ impl Reader<'_> {
         index: Option<(&str, i32)>,
         span: &Span,
     ) -> Result<Affine, SteppingError> {
-        let [cell] = unknown.space.as_slice() else {
-            return Err(SteppingError::Dimension(unknown.space.len()));
-        };
-        let cell = halves(*cell, index);
+        if self.dimension != 0 && self.dimension != unknown.space.len() {
+            return Err(self.refuse("not as many space indices as the others", span));
+        }
+        self.dimension = unknown.space.len();
+        let mut cell = [0; 3];
+        for (cell, offset) in cell.iter_mut().zip(&unknown.space) {
+            *cell = halves(*offset, index);
+        }
         let level = unknown.time.map_or(0, |time| halves(time, index));
-        let (half_level, half_cell) = (level.rem_euclid(2), cell.rem_euclid(2));
+        let (half_level, half_cell) =
+            (level.rem_euclid(2), cell.map(|halves| halves.rem_euclid(2)));
         let number = match self.unknowns.iter().position(|known| known.name == unknown.name) {
             Some(number) => number,
             None => {
@@ -239,7 +249,7 @@ impl Reader<'_> {
         let place = Place {
             unknown: number,
             level: (level - half_level) / 2,
-            offset: (cell - half_cell) / 2,
+            offset: cell.map(|halves| halves.div_euclid(2)),
             derivative: unknown.derivative,
         };
         Ok(Affine { terms: [(place, Rounded::exact(1.0))].into(), ..Affine::default() })
@@ -284,7 +294,7 @@ mod tests {
     }
 
     fn coefficients(form: &BTreeMap<Place, Rounded>) -> Vec<(i32, i32, f64)> {
-        form.iter().map(|(place, value)| (place.level, place.offset, value.value)).collect()
+        form.iter().map(|(place, value)| (place.level, place.offset[0], value.value)).collect()
     }
 
     #[test]
@@ -301,11 +311,19 @@ mod tests {
         let read = forms(text, &[("C", 0.5)]).unwrap();
         let of = |equation: usize, unknown: usize| -> Vec<_> {
             let places = read.equations[equation].iter().filter(|(p, _)| p.unknown == unknown);
-            places.map(|(p, value)| (p.level, p.offset, value.value)).collect()
+            places.map(|(p, value)| (p.level, p.offset[0], value.value)).collect()
         };
         assert_eq!(of(0, 0), [(-1, 0, -1.0), (0, 0, 1.0)]);
         assert_eq!(of(0, 1), [(0, 0, -0.5), (0, 1, 0.5)]);
         assert_eq!(of(1, 0), [(0, -1, -0.5), (0, 0, 0.5)]);
+    }
+
+    #[test]
+    fn every_axis_has_its_offset_and_its_halves() {
+        let text = "u[n+1,i,j+1/2,k] = u[n,i-1,j+1/2,k+2] - u[n,i,j-3/2,k]";
+        let read = forms(text, &[]).unwrap();
+        let offsets: Vec<_> = read.equations[0].keys().map(|place| place.offset).collect();
+        assert_eq!((read.dimension, offsets), (3, vec![[-1, 0, 2], [0, -2, 0], [0, 0, 0]]));
     }
 
     #[test]
@@ -337,6 +355,6 @@ mod tests {
         assert!(problem("u[n+1,j] = D*u[n,j]").contains("`D`"));
         assert!(problem("u[n+1,j] = u[n,j+1/2]").contains("half"));
         assert!(problem("u[n+1,j] = w[1]*u[n,j]").contains("kernel"));
-        assert!(problem("u[n+1,i,j] = u[n,i,j-1]").contains("2 space dimensions"));
+        assert!(problem("u[n+1,i,j] = u[n,j-1]").contains("space indices"));
     }
 }

@@ -1,28 +1,30 @@
 //! The second road: typed equations run as they stand.
 //!
 //! A scheme's [syntax tree](courant_analysis::scheme::language::syntax) is compiled into stencils on arrays and stepped on a
-//! periodic ring. This code knows numbers and arrays; it shares nothing with the analysis but the text that was read and the numbers
+//! periodic lattice, a ring in one dimension and a torus in more. This code knows numbers and arrays; it shares nothing with the analysis but the text that was read and the numbers
 //! of kernels and integrators. What it measures is therefore evidence: [`validate`] excites every wave and compares what a step does
 //! with multipliers that were predicted, and [`bracket_limit`] starts from noise on both sides of a limit.
 
 mod bracket;
 mod dense;
 mod eigenvalues;
+mod lattice;
 mod levels;
 mod linear_form;
 mod pairing;
 mod program;
 mod propagator;
-mod ring_scheme;
 mod rounded;
 mod runs;
 mod stages;
+mod torus_scheme;
 mod validation;
 
 pub use bracket::{Bracket, NoisePlan, NoiseRun, bracket_limit, noise_run};
+pub use lattice::PerAxis;
 pub use propagator::Propagator;
-pub use ring_scheme::{Ring, RingScheme};
 pub use runs::Run;
+pub use torus_scheme::{Torus, TorusScheme};
 pub use validation::{Multiplier, Row, Validation, ValidationPlan, validate};
 
 /// Why equations cannot be run.
@@ -39,9 +41,14 @@ pub enum SteppingError {
     /// A parameter without a value.
     #[error("the parameter `{0}` needs a value")]
     NotSet(String),
-    /// More than one space dimension.
-    #[error("{0} space dimensions: equations are run in one")]
-    Dimension(usize),
+    /// Another number of axes than of dimensions.
+    #[error("{axes} number{} of cells for {dimension} space dimension{}: one for each", plural(*axes), plural(*dimension))]
+    Dimension {
+        /// Of the equations.
+        dimension: usize,
+        /// Of the torus.
+        axes: usize,
+    },
     /// Not as many equations as unknowns.
     #[error("{equations} equations for {unknowns} unknowns: there must be as many")]
     NotSquare {
@@ -75,15 +82,20 @@ pub enum SteppingError {
         "this integrator is for positions and velocities: it needs an equation x[j]' = v[j] and one for v[j]'"
     )]
     NoPositions,
-    /// A ring without cells.
-    #[error("a ring needs at least one cell")]
+    /// A torus without cells.
+    #[error("a torus needs at least one cell along each axis")]
     NoCells,
     /// The implicit part has no solution.
     #[error(
-        "the implicit step is singular on a ring of {cells} cells: some wave has no next value"
+        "the implicit step is singular on a torus of {} cells: some wave has no next value",
+        points.joined(" × ")
     )]
     Singular {
-        /// Cells of the ring.
-        cells: usize,
+        /// Cells along each axis.
+        points: PerAxis<usize>,
     },
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
 }

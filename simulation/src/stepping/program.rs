@@ -7,7 +7,7 @@ use super::rounded::Rounded;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Term {
     pub array: usize,
-    pub offset: i32,
+    pub offset: [i32; 3],
     pub coefficient: Rounded,
 }
 
@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     fn term(array: usize, offset: i32) -> Term {
-        Term { array, offset, coefficient: Rounded::exact(1.0) }
+        Term { array, offset: [offset, 0, 0], coefficient: Rounded::exact(1.0) }
     }
 
     fn names() -> Vec<String> {

@@ -2,7 +2,8 @@
 
 use super::dense::Factors;
 use super::eigenvalues::eigenvalues;
-use super::ring_scheme::{Ring, Rounding};
+use super::lattice::PerAxis;
+use super::torus_scheme::{Rounding, Torus};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -15,14 +16,14 @@ pub(super) struct WaveState {
 
 /// One step restricted to one wave: a small matrix on the amplitudes of the history.
 ///
-/// Its entries are measured: each array of the history is set to the wave `e^{iφj}`, the others to zero, and the amplitudes are read
+/// Its entries are measured: each array of the history is set to the wave `e^{iφ·j}`, the others to zero, and the amplitudes are read
 /// after one step. Its eigenvalues are the multipliers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Propagator {
-    /// Waves on the ring.
-    pub mode: usize,
-    /// `φ = 2π mode/cells`.
-    pub phase: f64,
+    /// Waves along each axis, negative where they run the other way.
+    pub mode: PerAxis<i64>,
+    /// `φ_a = 2π mode_a/N_a`.
+    pub phase: PerAxis<f64>,
     /// By rows.
     pub matrix: Vec<Vec<Complex64>>,
     /// How far each entry may be off.
@@ -32,13 +33,17 @@ pub struct Propagator {
     pub other_waves: f64,
 }
 
-impl Ring<'_> {
-    /// The matrix of a wave.
-    pub fn propagator(&self, mode: usize) -> Propagator {
+impl Torus<'_> {
+    /// The matrix of a wave, given by how many there are along each axis.
+    ///
+    /// # Panics
+    /// When there are not as many as axes.
+    pub fn propagator(&self, mode: &[i64]) -> Propagator {
+        assert_eq!(mode.len(), self.points().len(), "one number of waves for each axis");
         self.propagator_with(mode, &self.rounding())
     }
 
-    pub(super) fn propagator_with(&self, mode: usize, rounding: &[Vec<Rounding>]) -> Propagator {
+    pub(super) fn propagator_with(&self, mode: &[i64], rounding: &[Vec<Rounding>]) -> Propagator {
         let history = self.history();
         let mut matrix = vec![vec![Complex64::new(0.0, 0.0); history]; history];
         let mut errors = vec![vec![0.0; history]; history];
@@ -48,25 +53,25 @@ impl Ring<'_> {
             amplitudes[one] = Complex64::new(1.0, 0.0);
             let mut wave = WaveState::new(self, mode, &amplitudes);
             wave.step(self);
-            for (row, (amplitude, rest)) in wave.amplitudes(mode).into_iter().enumerate() {
+            for (row, (amplitude, rest)) in wave.amplitudes(self, mode).into_iter().enumerate() {
                 matrix[row][one] = amplitude;
                 let Rounding { size, error } = rounding[row][one];
-                // The table of the wave and the sum over the ring leave a rounding each.
+                // The table of the wave and the sum over the cells leave a rounding each.
                 errors[row][one] = (error + 3.0 * size) * f64::EPSILON;
                 if rest > 0.0 {
                     other_waves = other_waves.max(rest / (2.0 * errors[row][one]));
                 }
             }
         }
-        let phase = TAU * mode as f64 / self.cells() as f64;
-        Propagator { mode, phase, matrix, errors, other_waves }
+        let phase = self.lattice.phase(mode);
+        Propagator { mode: PerAxis(mode.to_vec()), phase, matrix, errors, other_waves }
     }
 }
 
 impl WaveState {
-    /// `a e^{iφj}` on every array.
-    pub fn new(ring: &Ring<'_>, mode: usize, amplitudes: &[Complex64]) -> Self {
-        let waves: Vec<Complex64> = wave(mode, ring.cells()).collect();
+    /// `a e^{iφ·j}` on every array.
+    pub fn new(torus: &Torus<'_>, mode: &[i64], amplitudes: &[Complex64]) -> Self {
+        let waves: Vec<Complex64> = torus.lattice.wave(mode).collect();
         let of = |part: fn(Complex64) -> f64| -> Vec<Vec<f64>> {
             let array = |a: &Complex64| waves.iter().map(|w| part(a * w)).collect();
             amplitudes.iter().map(array).collect()
@@ -75,21 +80,21 @@ impl WaveState {
     }
 
     /// One step: real and imaginary parts are run one after the other.
-    pub fn step(&mut self, ring: &Ring<'_>) {
-        ring.step(&mut self.cosine);
-        ring.step(&mut self.sine);
+    pub fn step(&mut self, torus: &Torus<'_>) {
+        torus.step(&mut self.cosine);
+        torus.step(&mut self.sine);
     }
 
     /// The amplitude of the wave in each array, and how far the array is from that wave.
-    pub fn amplitudes(&self, mode: usize) -> Vec<(Complex64, f64)> {
+    pub fn amplitudes(&self, torus: &Torus<'_>, mode: &[i64]) -> Vec<(Complex64, f64)> {
+        let waves: Vec<Complex64> = torus.lattice.wave(mode).collect();
         let both = self.cosine.iter().zip(&self.sine);
         both.map(|(cosine, sine)| {
             let cells = cosine.len();
             let values = || cosine.iter().zip(sine).map(|(&re, &im)| Complex64::new(re, im));
-            let turned: Complex64 =
-                values().zip(wave(mode, cells)).map(|(u, w)| u * w.conj()).sum();
+            let turned: Complex64 = values().zip(&waves).map(|(u, w)| u * w.conj()).sum();
             let amplitude = turned / cells as f64;
-            let away = values().zip(wave(mode, cells)).map(|(u, w)| (u - amplitude * w).norm());
+            let away = values().zip(&waves).map(|(u, w)| (u - amplitude * w).norm());
             // `max` drops what is no number: it must not.
             let rest = away.fold(
                 0.0,
@@ -99,14 +104,6 @@ impl WaveState {
         })
         .collect()
     }
-}
-
-/// `e^{iφj}` at each cell.
-fn wave(mode: usize, cells: usize) -> impl Iterator<Item = Complex64> {
-    (0..cells).map(move |cell| {
-        let turns = (mode * cell % cells) as f64 / cells as f64;
-        Complex64::from_polar(1.0, TAU * turns)
-    })
 }
 
 impl Propagator {

@@ -1,7 +1,7 @@
 //! Runs of many steps on one branch of one wave.
 
 use super::propagator::{Propagator, WaveState};
-use super::ring_scheme::Ring;
+use super::torus_scheme::Torus;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -23,23 +23,23 @@ pub struct Run {
     pub tolerance: f64,
 }
 
-/// Runs on one ring.
+/// Runs on one torus.
 pub(super) struct Runs<'a> {
-    ring: &'a Ring<'a>,
+    torus: &'a Torus<'a>,
     steps: usize,
     /// The largest norm of the first, second, … power of the step over all waves: how fast round-off grows anywhere.
     fastest: Vec<f64>,
 }
 
 impl<'a> Runs<'a> {
-    pub fn new(ring: &'a Ring<'a>, waves: &[Propagator], steps: usize) -> Self {
+    pub fn new(torus: &'a Torus<'a>, waves: &[Propagator], steps: usize) -> Self {
         let mut fastest = vec![0.0_f64; steps];
         for wave in waves {
             for (most, norm) in fastest.iter_mut().zip(wave.norms_of_powers(steps)) {
                 *most = most.max(norm);
             }
         }
-        Self { ring, steps, fastest }
+        Self { torus, steps, fastest }
     }
 
     /// Starts on the branch of a multiplier and steps; `None` for a multiplier of zero.
@@ -53,13 +53,14 @@ impl<'a> Runs<'a> {
         let tolerances = self.tolerances(propagator, multiplier.norm(), own_error);
         let steps = tolerances.iter().take_while(|&&tolerance| tolerance <= LOOSEST_RUN).count();
         let tolerance = *tolerances.get(steps.checked_sub(1)?)?;
-        let mut wave = WaveState::new(self.ring, propagator.mode, &start);
+        let mut wave = WaveState::new(self.torus, &propagator.mode, &start);
         for _ in 0..steps {
-            wave.step(self.ring);
+            wave.step(self.torus);
         }
         let factor = multiplier.powu(steps as u32);
         let size = |of: &[Complex64]| of.iter().map(|a| a.norm_sqr()).sum::<f64>().sqrt();
-        let end: Vec<_> = wave.amplitudes(propagator.mode).into_iter().map(|(a, _)| a).collect();
+        let end = wave.amplitudes(self.torus, &propagator.mode);
+        let end: Vec<_> = end.into_iter().map(|(a, _)| a).collect();
         let away: Vec<_> =
             end.iter().zip(&start).map(|(end, start)| end - factor * start).collect();
         let measured = size(&end) / size(&start);
@@ -74,7 +75,7 @@ impl<'a> Runs<'a> {
     fn tolerances(&self, propagator: &Propagator, gain: f64, own_error: f64) -> Vec<f64> {
         // One error from the step, one from the multiplier that the start belongs to.
         let errors = propagator.errors.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
-        let each = 4.0 * errors * (self.ring.cells() as f64).sqrt() + own_error;
+        let each = 4.0 * errors * (self.torus.cells() as f64).sqrt() + own_error;
         let own = propagator.norms_of_powers(self.steps);
         let mut there = vec![1.0];
         let mut tolerances = Vec::with_capacity(self.steps);

@@ -67,7 +67,7 @@ impl Draft {
     fn sum(&mut self, target: usize, terms: impl IntoIterator<Item = (usize, Rounded)>) {
         let terms = terms.into_iter().filter(|(_, factor)| factor.value != 0.0);
         let own = (target, Rounded::exact(-1.0));
-        let term = |(array, coefficient)| Term { array, offset: 0, coefficient };
+        let term = |(array, coefficient)| Term { array, offset: [0; 3], coefficient };
         self.equations.push(terms.chain([own]).map(term).collect());
     }
 

@@ -1,25 +1,30 @@
-//! Predicted against measured: every wave of a ring, every branch.
+//! Predicted against measured: every wave of a torus, every branch.
 
+use super::lattice::PerAxis;
 use super::propagator::Propagator;
-use super::ring_scheme::RingScheme;
 use super::runs::{Run, Runs};
+use super::torus_scheme::TorusScheme;
 use super::{SteppingError, pairing};
 use num_complex::Complex64;
 use serde::Serialize;
 
 /// What a validation runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ValidationPlan {
-    /// Cells of the ring.
-    pub cells: usize,
+    /// Cells along each axis.
+    pub points: Vec<usize>,
     /// Steps of the runs on each branch.
     pub steps: usize,
 }
 
-impl Default for ValidationPlan {
-    /// 32 cells, 100 steps.
-    fn default() -> Self {
-        Self { cells: 32, steps: 100 }
+impl ValidationPlan {
+    /// 32 cells, 12 × 10 or 6 × 5 × 4, of which no two axes are alike; 100 steps.
+    ///
+    /// # Panics
+    /// For other dimensions than 1, 2 and 3.
+    pub fn in_dimension(dimension: usize) -> Self {
+        let points: [&[usize]; 3] = [&[32], &[12, 10], &[6, 5, 4]];
+        Self { points: points[dimension - 1].to_vec(), steps: 100 }
     }
 }
 
@@ -35,10 +40,10 @@ pub struct Multiplier {
 /// One branch of one wave.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
-    /// Waves on the ring.
-    pub mode: usize,
-    /// `2π mode/cells`.
-    pub phase: f64,
+    /// Waves along each axis.
+    pub mode: PerAxis<i64>,
+    /// `2π mode_a/N_a`.
+    pub phase: PerAxis<f64>,
     /// Which of the multipliers of this wave, from 0; followed from wave to wave.
     pub branch: usize,
     /// What was predicted.
@@ -53,13 +58,15 @@ pub struct Row {
     pub run: Option<Run>,
 }
 
-/// Predicted against measured for all waves of a ring.
+/// Predicted against measured for all waves of a torus.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Validation {
-    /// One row for each wave `0, …, ⌊cells/2⌋` and branch.
+    /// One row for each wave, of a wave and its conjugate one, and each branch.
     pub rows: Vec<Row>,
-    /// Cells of the ring.
-    pub cells: usize,
+    /// Cells along each axis.
+    pub cells: PerAxis<usize>,
+    /// Steps of the runs.
+    pub steps: usize,
     /// The largest error of a row.
     pub max_error: f64,
     /// The largest tolerance of a row; where a row fails, that of the row that fails by most.
@@ -76,43 +83,47 @@ const TOLERANCE_MEANING: &str = "round-off of the step (running error analysis o
     coefficients, carried to each multiplier by its condition: some 1e-16 times the sum of absolute products where it is simple, \
     the m-th root of that where m multipliers meet";
 
-/// Excites every wave of a ring and compares the multipliers that the running equations show with predicted ones.
+/// Excites every wave of a torus and compares the multipliers that the running equations show with predicted ones.
 ///
-/// `predicted` gives the multipliers of the wave of a phase, in any order, each with a bound on its own round-off; those that vanish
+/// `predicted` gives the multipliers of the wave of these phases, one for each axis, in any order, each with a bound on its own round-off; those that vanish
 /// may be left out.
 ///
 /// ```
 /// use courant_analysis::scheme::{Step, language::parse};
-/// use courant_simulation::stepping::{RingScheme, ValidationPlan, validate};
+/// use courant_simulation::stepping::{TorusScheme, ValidationPlan, validate};
 /// let text = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])";
-/// let leapfrog = RingScheme::new(&parse(text)?, None, None, &[("C".into(), 0.5)])?;
+/// let leapfrog = TorusScheme::new(&parse(text)?, None, None, &[("C".into(), 0.5)])?;
 /// let multipliers = Step::from_text(text)?.compile()?;
-/// let validation =
-///     validate(&leapfrog, |phase| multipliers.multipliers_with_errors(&[0.5], phase), ValidationPlan::default())?;
+/// let predicted = |phase: &[f64]| multipliers.multipliers_with_errors(&[0.5], phase);
+/// let validation = validate(&leapfrog, predicted, &ValidationPlan::in_dimension(1))?;
 /// assert!(validation.passed && validation.max_error < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// When the step is singular on the ring.
+/// When the step is singular on the torus, or the torus has other axes than the scheme.
 pub fn validate(
-    scheme: &RingScheme,
-    predicted: impl Fn(f64) -> Vec<(Complex64, f64)>,
-    plan: ValidationPlan,
+    scheme: &TorusScheme,
+    predicted: impl Fn(&[f64]) -> Vec<(Complex64, f64)>,
+    plan: &ValidationPlan,
 ) -> Result<Validation, SteppingError> {
-    let ring = scheme.ring(plan.cells)?;
-    let rounding = ring.rounding();
+    let torus = scheme.torus(&plan.points)?;
+    let rounding = torus.rounding();
+    let modes = torus.lattice.modes();
     let propagators: Vec<_> =
-        (0..=plan.cells / 2).map(|mode| ring.propagator_with(mode, &rounding)).collect();
-    let runs = Runs::new(&ring, &propagators, plan.steps);
+        modes.iter().map(|mode| torus.propagator_with(mode, &rounding)).collect();
+    let runs = Runs::new(&torus, &propagators, plan.steps);
     let mut rows: Vec<Row> = Vec::new();
     let mut last: Vec<Complex64> = Vec::new();
     let mut failure = None;
     for propagator in &propagators {
         if fails(propagator.other_waves, 1.0) {
-            failure.get_or_insert(format!("a step makes other waves of wave {}", propagator.mode));
+            failure.get_or_insert(format!(
+                "a step makes other waves of wave {}",
+                propagator.mode.joined(", ")
+            ));
         }
-        let pairs = pairs(propagator, predicted(propagator.phase));
+        let pairs = pairs(propagator, predicted(&propagator.phase));
         let multipliers: Vec<_> = pairs.iter().map(|pair| pair.predicted).collect();
         // The order of the wave before.
         let order = pairing::nearest(&last, &multipliers);
@@ -121,7 +132,7 @@ pub fn validate(
         }
         last = order.iter().map(|&place| multipliers[place]).collect();
     }
-    Ok(summary(rows, plan.cells, failure))
+    Ok(summary(rows, torus.points().clone(), plan.steps, failure))
 }
 
 /// A predicted multiplier and the measured one that belongs to it.
@@ -158,8 +169,8 @@ fn row(runs: &Runs<'_>, propagator: &Propagator, branch: usize, pair: &Pair) -> 
     }
     let multiplier = |z: Complex64| Multiplier { gain: z.norm(), phase: z.arg() };
     Some(Row {
-        mode: propagator.mode,
-        phase: propagator.phase,
+        mode: propagator.mode.clone(),
+        phase: propagator.phase.clone(),
         branch,
         predicted: multiplier(pair.predicted),
         measured: multiplier(pair.measured),
@@ -169,12 +180,23 @@ fn row(runs: &Runs<'_>, propagator: &Propagator, branch: usize, pair: &Pair) -> 
     })
 }
 
+impl Row {
+    fn name(&self) -> String {
+        format!("wave {}, branch {}", self.mode.joined(", "), self.branch)
+    }
+}
+
 /// An error that is no number fails.
 fn fails(error: f64, tolerance: f64) -> bool {
     error.is_nan() || tolerance.is_nan() || error > tolerance
 }
 
-fn summary(rows: Vec<Row>, cells: usize, mut failure: Option<String>) -> Validation {
+fn summary(
+    rows: Vec<Row>,
+    cells: PerAxis<usize>,
+    steps: usize,
+    mut failure: Option<String>,
+) -> Validation {
     let largest = |values: &mut dyn Iterator<Item = f64>| {
         values.fold(0.0, |most: f64, next| if next > most || next.is_nan() { next } else { most })
     };
@@ -184,17 +206,13 @@ fn summary(rows: Vec<Row>, cells: usize, mut failure: Option<String>) -> Validat
     let worst = failing.max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)));
     if let Some(row) = worst {
         tolerance = row.tolerance;
-        let message =
-            format!("wave {}, branch {}: the multiplier is another", row.mode, row.branch);
+        let message = format!("{}: the multiplier is another", row.name());
         failure.get_or_insert(message);
     }
     for row in &rows {
         if let Some(run) = row.run.filter(|run| fails(run.error, run.tolerance)) {
             let Run { steps, .. } = run;
-            let message = format!(
-                "wave {}, branch {}: the run of {steps} steps differs",
-                row.mode, row.branch
-            );
+            let message = format!("{}: the run of {steps} steps differs", row.name());
             failure.get_or_insert(message);
         }
     }
@@ -202,6 +220,7 @@ fn summary(rows: Vec<Row>, cells: usize, mut failure: Option<String>) -> Validat
     Validation {
         rows,
         cells,
+        steps,
         max_error,
         tolerance,
         tolerance_meaning: TOLERANCE_MEANING,

@@ -17,7 +17,7 @@ use courant::simulation::advection::{AdvectionScheme, Discretisation};
 pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failure> {
     let defaults = Settings::default();
     let settings = Settings {
-        particles: arguments.particles.unwrap_or(defaults.particles),
+        particles: arguments.on_line()?.unwrap_or(defaults.particles),
         steps: arguments.steps.unwrap_or(defaults.steps),
         fault: arguments.fault.as_ref().map(|by| Fault { offset: -1, by: to_f64(by) }),
         ..defaults

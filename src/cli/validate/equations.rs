@@ -7,12 +7,13 @@ use crate::cli::progress::Bar;
 use crate::cli::subject::{Label, Subject, row_name, varying};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::to_f64;
+use courant::analysis::scheme::SchemeError;
 use courant::analysis::stability::SearchPlan;
 use courant::reports::number::{finite, significant};
 use courant::reports::record::SubjectRecord;
 use courant::reports::table::{Align, Table};
 use courant::simulation::stepping::{
-    Multiplier, RingScheme, SteppingError, Validation, ValidationPlan, validate,
+    Multiplier, PerAxis, SteppingError, TorusScheme, Validation, ValidationPlan, validate,
 };
 use rayon::prelude::*;
 use serde::Serialize;
@@ -25,6 +26,8 @@ struct Case {
     symbol: String,
     value: f64,
     validation: Validation,
+    /// What the choice of the value leaves to be said.
+    note: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -32,8 +35,9 @@ struct Row {
     #[serde(flatten)]
     subject: SubjectRecord,
     cfl: f64,
-    mode: usize,
-    phase: f64,
+    /// One number, in more dimensions one for each axis; so is the phase.
+    mode: PerAxis<i64>,
+    phase: PerAxis<f64>,
     branch: usize,
     predicted: Multiplier,
     measured: Multiplier,
@@ -48,7 +52,10 @@ struct Record {
     tolerance: Option<f64>,
     tolerance_meaning: Option<&'static str>,
     failures: Vec<String>,
-    particles: usize,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
+    /// One number, in more dimensions one for each axis; none where they differ between subjects.
+    particles: Option<PerAxis<usize>>,
     steps: usize,
     passed: bool,
 }
@@ -59,17 +66,12 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
             "--fault: only euler-sph, lax-wendroff-sph and godunov-sph have it".into(),
         ));
     }
-    let defaults = ValidationPlan::default();
-    let plan = ValidationPlan {
-        cells: arguments.particles.unwrap_or(defaults.cells),
-        steps: arguments.steps.map_or(defaults.steps, |steps| steps as usize),
-    };
     let bar = Bar::new("validate");
     let done = AtomicUsize::new(0);
     let cases: Vec<Vec<Case>> = subjects
         .par_iter()
         .map(|subject| {
-            let cases = cases(arguments, subject, plan);
+            let cases = cases(arguments, subject);
             let _ = bar.advance(done.fetch_add(1, Ordering::Relaxed) + 1, subjects.len());
             cases
         })
@@ -78,7 +80,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     let cases: Vec<Case> = cases.into_iter().flatten().collect();
     let passed = cases.iter().all(|case| case.validation.passed);
     match arguments.format {
-        Format::Json => print_json("validate", &record(&cases, plan))?,
+        Format::Json => print_json("validate", &record(&cases))?,
         Format::Csv => print(&csv_table(&cases).to_csv())?,
         format => {
             let table = match cases.as_slice() {
@@ -87,7 +89,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
             };
             let mut text = table_text(&table, format).unwrap_or_default();
             if format == Format::Table {
-                text.push_str(&paragraphs(&conclusion(&cases, plan)));
+                text.push_str(&paragraphs(&conclusion(&cases)));
             }
             print(&text)?
         }
@@ -95,20 +97,34 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     Ok(if passed { Outcome::Yes } else { Outcome::No })
 }
 
-fn cases(
-    arguments: &Arguments,
-    subject: &Subject,
-    plan: ValidationPlan,
-) -> Result<Vec<Case>, Failure> {
+fn plan(arguments: &Arguments, dimension: usize) -> Result<ValidationPlan, Failure> {
+    let mut plan = ValidationPlan::in_dimension(dimension);
+    if let Some(cells) = &arguments.particles {
+        plan.points = cells.along(dimension)?;
+    }
+    plan.steps = arguments.steps.map_or(plan.steps, |steps| steps as usize);
+    Ok(plan)
+}
+
+fn cases(arguments: &Arguments, subject: &Subject) -> Result<Vec<Case>, Failure> {
     let sought = subject.sought(true)?;
     let failed = |error| subject.failure(&error);
+    let plan = plan(arguments, sought.step.dimension())?;
     let name = &sought.parameter;
     let given = arguments.cfl.iter().flat_map(|values| &values.0).chain(&sought.value);
     let mut values: Vec<f64> = given.map(to_f64).collect();
+    let mut note = None;
     if values.is_empty() {
         // About the limit, if there is one.
         let range = SearchPlan::default().up_to(subject.range(None));
-        let limit = sought.step.stable_set(name, &range).map_err(failed)?.limit().value();
+        let limit = match sought.step.stable_set(name, &range) {
+            Ok(stable) => stable.limit().value(),
+            Err(error @ SchemeError::Dimension(_)) => {
+                note = Some(format!("{error}; run at {name} = 0.5, others by --cfl"));
+                f64::NAN
+            }
+            Err(error) => return Err(failed(error)),
+        };
         let positive = limit.is_finite() && limit > 0.0;
         values = if positive { vec![0.5 * limit, limit, 1.5 * limit] } else { vec![0.5] };
     }
@@ -124,13 +140,14 @@ fn cases(
             let stepped = |error: SteppingError| {
                 let option = match error {
                     SteppingError::Singular { .. } | SteppingError::NoCells => {
-                        format!("--particles {}, {name} = {value}", plan.cells)
+                        let cells = PerAxis(plan.points.clone()).joined("x");
+                        format!("--particles {cells}, {name} = {value}")
                     }
                     _ => format!("{} {}", subject.kind.option(), subject.file.name),
                 };
                 Failure::Message(format!("{option}: {error}"))
             };
-            let ring = RingScheme::new(
+            let running = TorusScheme::new(
                 &subject.file.equations,
                 lattice.as_ref(),
                 subject.integrator.as_deref(),
@@ -138,13 +155,14 @@ fn cases(
             )
             .map_err(stepped)?;
             let arguments: Vec<f64> = compiled.parameters().iter().map(|_| value).collect();
-            let predicted = |phase: f64| compiled.multipliers_with_errors(&arguments, phase);
+            let predicted = |phase: &[f64]| compiled.multipliers_with_errors(&arguments, phase);
             Ok(Case {
                 subject: subject.clone(),
                 record: subject.record(&sought.step, Some(name)),
                 symbol: subject.symbol(name),
                 value,
-                validation: validate(&ring, predicted, plan).map_err(stepped)?,
+                validation: validate(&running, predicted, &plan).map_err(stepped)?,
+                note: note.clone(),
             })
         })
         .collect()
@@ -155,13 +173,13 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |most, value| if value.is_nan() { f64::INFINITY } else { most.max(value) })
 }
 
-fn record(cases: &[Case], plan: ValidationPlan) -> Record {
+fn record(cases: &[Case]) -> Record {
     let rows = cases.iter().flat_map(|case| {
         case.validation.rows.iter().map(|row| Row {
             subject: case.record.clone(),
             cfl: case.value,
-            mode: row.mode,
-            phase: row.phase,
+            mode: row.mode.clone(),
+            phase: row.phase.clone(),
             branch: row.branch,
             predicted: row.predicted,
             measured: row.measured,
@@ -175,10 +193,29 @@ fn record(cases: &[Case], plan: ValidationPlan) -> Record {
         tolerance: finite(largest(cases.iter().map(|case| case.validation.tolerance))),
         tolerance_meaning: cases.first().map(|case| case.validation.tolerance_meaning),
         failures: failures(cases),
-        particles: plan.cells,
-        steps: plan.steps,
+        notes: notes(cases),
+        particles: cells(cases).try_into().ok().map(|[cells]: [_; 1]| cells),
+        steps: cases.first().map_or(0, |case| case.validation.steps),
         passed: cases.iter().all(|case| case.validation.passed),
     }
+}
+
+/// The tori of the cases, each once.
+fn cells(cases: &[Case]) -> Vec<PerAxis<usize>> {
+    let mut all: Vec<PerAxis<usize>> = Vec::new();
+    for case in cases {
+        if !all.contains(&case.validation.cells) {
+            all.push(case.validation.cells.clone());
+        }
+    }
+    all
+}
+
+fn notes(cases: &[Case]) -> Vec<String> {
+    cases
+        .iter()
+        .filter_map(|case| Some(format!("{}: {}", name(case), case.note.as_ref()?)))
+        .collect()
 }
 
 fn failures(cases: &[Case]) -> Vec<String> {
@@ -219,7 +256,7 @@ fn csv_table(cases: &[Case]) -> Table {
     for case in cases {
         for row in &case.validation.rows {
             let mut cells = subject_cells(&case.record);
-            cells.extend([case.value.to_string(), row.mode.to_string(), row.phase.to_string()]);
+            cells.extend([case.value.to_string(), row.mode.joined(" "), row.phase.joined(" ")]);
             cells.push(row.branch.to_string());
             for multiplier in [row.predicted, row.measured] {
                 cells.extend([multiplier.gain.to_string(), multiplier.phase.to_string()]);
@@ -249,8 +286,9 @@ fn mode_table(case: &Case) -> Table {
     );
     for row in &case.validation.rows {
         let factor = |z: Multiplier| [significant(z.gain, 11), significant(z.phase, 9)];
+        let phases = row.phase.iter().map(|phase| significant(*phase, 6)).collect();
         let mut cells =
-            vec![row.mode.to_string(), significant(row.phase, 6), row.branch.to_string()];
+            vec![row.mode.joined(", "), PerAxis(phases).joined(", "), row.branch.to_string()];
         cells.extend(factor(row.predicted));
         cells.extend(factor(row.measured));
         cells.push(significant(row.error, 2));
@@ -298,7 +336,7 @@ fn case_table(cases: &[Case]) -> Table {
     table
 }
 
-fn conclusion(cases: &[Case], plan: ValidationPlan) -> Vec<String> {
+fn conclusion(cases: &[Case]) -> Vec<String> {
     let rows: usize = cases.iter().map(|case| case.validation.rows.len()).sum();
     let failures = failures(cases);
     let verdict = match failures.len() {
@@ -311,8 +349,8 @@ fn conclusion(cases: &[Case], plan: ValidationPlan) -> Vec<String> {
     let first = format!(
         "{verdict}; max error {}; {} cells, {} steps",
         significant(error, 3),
-        plan.cells,
-        plan.steps
+        cells(cases).iter().map(|cells| cells.joined(" × ")).collect::<Vec<_>>().join(" or "),
+        cases.first().map_or(0, |case| case.validation.steps)
     );
-    std::iter::once(first).chain(failures).collect()
+    std::iter::once(first).chain(failures).chain(notes(cases)).collect()
 }

@@ -22,9 +22,10 @@ pub struct Arguments {
     /// particle methods c Δt/h = 0.25).
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers)]
     cfl: Option<Numbers>,
-    /// Cells or particles on the ring (default: 200; particle methods and equations 32).
-    #[arg(long, alias = "cells", value_name = "N", value_parser = ring)]
-    particles: Option<usize>,
+    /// Cells or particles on the ring (default: 200; particle methods and equations 32); in two and three dimensions along each axis:
+    /// one number for all or 12x10 (default), 6x5x4.
+    #[arg(long, alias = "cells", value_name = "N", value_parser = cells)]
+    particles: Option<Cells>,
     /// Steps of each run (default: 100; waves of particle methods 200).
     #[arg(long, value_name = "N", value_parser = steps)]
     steps: Option<u64>,
@@ -36,9 +37,46 @@ pub struct Arguments {
     format: Format,
 }
 
-/// The transform of a ring takes as many operations as it has particles, squared.
-fn ring(text: &str) -> Result<usize, String> {
-    numbers::count(text, 4, 10_000)
+/// How many cells along each axis.
+#[derive(Debug, Clone)]
+struct Cells(Vec<usize>);
+
+/// The transform takes as many operations as there are cells, squared.
+const MOST_CELLS: usize = 10_000;
+
+fn cells(text: &str) -> Result<Cells, String> {
+    let along = |text: &str| numbers::count(text.trim(), 4, MOST_CELLS);
+    let axes: Vec<usize> = text.split(['x', '×']).map(along).collect::<Result<_, _>>()?;
+    match axes.iter().try_fold(1usize, |all, axis| all.checked_mul(*axis)) {
+        Some(..=MOST_CELLS) if axes.len() <= 3 => Ok(Cells(axes)),
+        _ => Err(format!("up to three numbers, in all {MOST_CELLS} cells, are accepted")),
+    }
+}
+
+impl Cells {
+    /// In so many dimensions: a single number is meant for every axis.
+    fn along(&self, dimension: usize) -> Result<Vec<usize>, Failure> {
+        let axes = match self.0.as_slice() {
+            [one] => vec![*one; dimension],
+            several => several.to_vec(),
+        };
+        let all: usize = axes.iter().product();
+        if axes.len() == dimension && all <= MOST_CELLS {
+            return Ok(axes);
+        }
+        let given = self.0.iter().map(usize::to_string).collect::<Vec<_>>().join("x");
+        Err(Failure::Message(format!(
+            "--particles {given}: in {dimension} dimension{} one number for each axis, in all up to {MOST_CELLS} cells, or one for all axes is accepted",
+            if dimension == 1 { "" } else { "s" }
+        )))
+    }
+}
+
+impl Arguments {
+    /// How many particles along a line.
+    fn on_line(&self) -> Result<Option<usize>, Failure> {
+        self.particles.as_ref().map(|cells| Ok(cells.along(1)?[0])).transpose()
+    }
 }
 
 fn steps(text: &str) -> Result<u64, String> {

@@ -112,7 +112,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     if arguments.fault.is_some() {
         return Err(Failure::Message("--fault: only advection schemes have it".into()));
     }
-    let particles = arguments.particles.unwrap_or(32);
+    let particles = arguments.on_line()?.unwrap_or(32);
     let steps = arguments.steps.unwrap_or(200) as usize;
     let mut cases = Vec::new();
     for subject in subjects {

@@ -19,7 +19,7 @@ pub fn two_waves(
     exact: &Frequencies,
     time: f64,
 ) -> [Complex64; 2] {
-    let mut found = step.differences(values, phase);
+    let mut found = step.differences(values, &[phase]);
     if let [first, second] = found[..] {
         let real = first.im == 0.0 && second.im == 0.0;
         if real || first == second.conj() {

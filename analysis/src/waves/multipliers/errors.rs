@@ -1,10 +1,10 @@
 //! How far computed multipliers may be off.
 
-use super::{CompiledStep, CompiledTerm, Wave};
+use super::{AxisWave, CompiledStep, CompiledTerm};
 use crate::waves::roots::roots;
 use num_complex::Complex64;
 
-/// Roundings of the longest chain of operations behind a coefficient.
+/// Roundings of the longest chain of operations behind a coefficient, for each axis.
 const ROUNDINGS: f64 = 6.0;
 
 impl CompiledStep {
@@ -12,18 +12,21 @@ impl CompiledStep {
     ///
     /// A polynomial whose value at `y` is below `η` has a root within `min_m (C(n, m) η m!/|χ⁽ᵐ⁾(y)|)^{1/m}` of it (Henrici 1974,
     /// chapter 6): about `η` for a simple root, the m-th root of that where m roots meet.
-    pub fn multipliers_with_errors(&self, values: &[f64], phase: f64) -> Vec<(Complex64, f64)> {
-        let wave = Wave::new(phase);
+    ///
+    /// # Panics
+    /// When there are not as many phases as [dimensions](Self::dimension).
+    pub fn multipliers_with_errors(&self, values: &[f64], phase: &[f64]) -> Vec<(Complex64, f64)> {
+        let wave = self.wave(phase);
         let (coefficients, sizes) = (self.coefficients(values, &wave), self.sizes(values, &wave));
-        let differences = self.differences(values, phase).into_iter();
+        let differences = self.sorted_roots(&coefficients).into_iter();
         differences.map(|y| (y + 1.0, root_error(&coefficients, &sizes, y))).collect()
     }
 
-    /// `|z|² − 1` of the largest multiplier of the wave with this `s = sin²(φ/2)` and `1 − s`, and a bound on its error, where no
+    /// In one dimension, `|z|² − 1` of the largest multiplier of the wave with this `s = sin²(φ/2)` and `1 − s`, and a bound on its error, where no
     /// parameter is free; infinite where it is not known at all.
     pub(crate) fn largest_excess(&self, s: f64, complement: f64) -> (f64, f64) {
         let sine = 2.0 * (s * complement).sqrt();
-        let wave = Wave { sine, cosine: complement - s, s, complement };
+        let wave = [AxisWave { sine, cosine: complement - s, s, complement }];
         let (coefficients, sizes) = (self.coefficients(&[], &wave), self.sizes(&[], &wave));
         let (mut largest, mut most) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         for y in roots(&coefficients) {
@@ -38,19 +41,20 @@ impl CompiledStep {
         (largest, most - largest)
     }
 
-    /// What is added up to each coefficient, in absolute values.
-    fn sizes(&self, values: &[f64], wave: &Wave) -> Vec<f64> {
+    /// What is added up to each coefficient, in absolute values, once for each axis.
+    fn sizes(&self, values: &[f64], wave: &[AxisWave]) -> Vec<f64> {
         let sum = |coefficients: &[f64]| coefficients.iter().map(|c| c.abs()).sum::<f64>();
         let letters: Vec<f64> =
             self.letters.iter().map(|letter| sum(letter.coefficients())).collect();
         let term = |term: &CompiledTerm| -> f64 {
             let parameters = term.parameters.iter().map(|&(p, power)| values[p].abs().powi(power));
             let letters = term.letters.iter().map(|&(letter, power)| letters[letter].powi(power));
-            let parts = [&term.even, &term.odd]
-                .map(|part| wave.factor(part) * sum(part.series.coefficients()));
-            parameters.chain(letters).product::<f64>() * parts.iter().sum::<f64>()
+            let parts = term.parts.iter();
+            let parts = parts.map(|part| part.factor(wave) * sum(&part.series.values));
+            parameters.chain(letters).product::<f64>() * parts.sum::<f64>()
         };
-        self.powers.iter().map(|terms| terms.iter().map(term).sum()).collect()
+        let axes = self.dimension as f64;
+        self.powers.iter().map(|terms| axes * terms.iter().map(term).sum::<f64>()).collect()
     }
 }
 
@@ -101,7 +105,7 @@ mod tests {
             let value = a[1..a.len() - 3].parse::<f64>().unwrap() / 7.0;
             if value != 0.0 {
                 let step = Step::from_text(&text).unwrap().compile().unwrap();
-                for (multiplier, error) in step.multipliers_with_errors(&[], 0.7) {
+                for (multiplier, error) in step.multipliers_with_errors(&[], &[0.7]) {
                     prop_assert!((multiplier - value).norm() <= error);
                     prop_assert!(error < 30.0 * f64::EPSILON.powf(1.0 / order as f64));
                 }
@@ -118,7 +122,7 @@ mod tests {
         let step = Step::from_text(text).unwrap().compile().unwrap();
         for (phase, least, most) in [(0.5, 1e-16, 1e-13), (3.0, 1e-12, 1e-10)] {
             let exact = (1.0 + 0.9 * f64::cos(phase)).powi(-3);
-            let [(multiplier, error)] = step.multipliers_with_errors(&[], phase)[..] else {
+            let [(multiplier, error)] = step.multipliers_with_errors(&[], &[phase])[..] else {
                 panic!("one multiplier")
             };
             assert!((multiplier.re - exact).abs() <= error);

@@ -76,7 +76,7 @@ fn sampled_waves_grow_no_faster() {
                 let step = step.with("C", &parse(courant).unwrap()).unwrap();
                 let (found, compiled) = (growth_at(&step).unwrap(), step.compile().unwrap());
                 let sampled = (0..=1000)
-                    .flat_map(|i| compiled.multipliers(&[], f64::from(i) * PI / 1000.0))
+                    .flat_map(|i| compiled.multipliers(&[], &[f64::from(i) * PI / 1000.0]))
                     .map(|z| z.norm() - 1.0)
                     .fold(f64::NEG_INFINITY, f64::max);
                 // A double multiplier is worth the root of a rounding in f64.
@@ -85,7 +85,7 @@ fn sampled_waves_grow_no_faster() {
                     sampled >= found.per_step - 1e-3 * found.per_step.max(0.01),
                     "{method} {integrator} {courant}: {found:?}, sampled {sampled}"
                 );
-                let there = compiled.multipliers(&[], found.phase);
+                let there = compiled.multipliers(&[], &[found.phase]);
                 let nearest =
                     there.iter().map(|z| (z - found.multiplier).norm()).fold(9.0, f64::min);
                 assert!(nearest < 1e-6, "{method} {integrator} {courant}: {found:?} {there:?}");
@@ -145,7 +145,7 @@ proptest! {
         let step = Step::from_text(&text).unwrap();
         let (found, compiled) = (growth_at(&step).unwrap(), step.compile().unwrap());
         let sampled = (0..=2000)
-            .flat_map(|i| compiled.multipliers(&[], f64::from(i) * PI / 2000.0))
+            .flat_map(|i| compiled.multipliers(&[], &[f64::from(i) * PI / 2000.0]))
             .map(|z| z.norm() - 1.0)
             .fold(f64::NEG_INFINITY, f64::max);
         prop_assert!(sampled <= found.per_step + 1e-7, "{} {:?} {}", text, found, sampled);

@@ -144,7 +144,7 @@ fn rows(name: &str, flux: Flux, wave: Wave) -> Vec<Vec<String>> {
     let monotone = one.monotone_set(COURANT, &plan).expect("one parameter is free");
     let monotone = monotone.expect("one unknown, explicit").limit();
     let compiled = one.compile().expect("one dimension");
-    let amplification = |courant: f64, phase: f64| compiled.multipliers(&[courant], phase)[0];
+    let amplification = |courant: f64, phase: f64| compiled.multipliers(&[courant], &[phase])[0];
     let family = wave.family();
     let own = match wave {
         Wave::Acoustic => 1.0,

@@ -1,85 +1,19 @@
 //! Every subject by two roads: multipliers of the characteristic polynomial against the equations as they run.
 
-use courant_analysis::exact::rational::{Rational, ratio, to_f64};
+mod subject;
+mod torus;
+
+use courant_analysis::exact::rational::{ratio, to_f64};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::catalogue::{self, SchemeFile};
-use courant_analysis::scheme::language::syntax::{Equations, Expression, Node};
 use courant_analysis::scheme::{
     Coefficient, Integrator, IntegratorForm, KernelLattice, Nystrom, SchemeError,
 };
 use courant_simulation::stepping::{
-    NoisePlan, RingScheme, SteppingError, Validation, ValidationPlan, bracket_limit, noise_run,
+    NoisePlan, PerAxis, SteppingError, TorusScheme, ValidationPlan, bracket_limit, noise_run,
     validate,
 };
-
-/// What is run: equations, and what completes them.
-#[derive(Clone)]
-struct Subject {
-    name: String,
-    equations: Equations,
-    lattice: Option<KernelLattice>,
-    integrator: Option<Integrator>,
-    values: Vec<(String, Rational)>,
-}
-
-impl Subject {
-    /// A file with its defaults, and a value for the parameter whose limit is sought.
-    fn new(file: &SchemeFile, sought: Rational) -> Self {
-        let defaults = file.parameters.iter().map(|(n, v)| (n.clone(), v.clone()));
-        let name = file.parameter.clone().unwrap_or_else(|| "C".into());
-        Self {
-            name: file.name.clone(),
-            equations: file.equations.clone(),
-            lattice: None,
-            integrator: None,
-            values: defaults.chain([(name, sought)]).collect(),
-        }
-    }
-
-    fn with_kernel(mut self, kernel: Kernel, smoothing: Rational) -> Self {
-        self.name += &format!(" {kernel}");
-        self.lattice = Some(KernelLattice::new(kernel, &smoothing).unwrap());
-        self
-    }
-
-    fn with_integrator(mut self, integrator: &Integrator) -> Self {
-        self.name += &format!(" {integrator}");
-        self.integrator = Some(integrator.clone());
-        self
-    }
-
-    /// The predicted multipliers.
-    fn predicted(&self) -> Result<impl Fn(f64) -> Vec<(num_complex::Complex64, f64)>, SchemeError> {
-        let mut file = catalogue::schemes()[0].clone();
-        file.equations = self.equations.clone();
-        file.parameters.clear();
-        let (lattice, integrator) = (self.lattice.as_ref(), self.integrator.as_ref());
-        let compiled = file.step(lattice, integrator, &self.values, None)?.compile()?;
-        Ok(move |phase: f64| compiled.multipliers_with_errors(&[], phase))
-    }
-
-    fn ring(&self) -> Result<RingScheme, SteppingError> {
-        let numbers: Vec<_> = self.values.iter().map(|(n, v)| (n.clone(), to_f64(v))).collect();
-        let (lattice, integrator) = (self.lattice.as_ref(), self.integrator.as_ref());
-        RingScheme::new(&self.equations, lattice, integrator, &numbers)
-    }
-
-    fn validate(&self, plan: ValidationPlan) -> Validation {
-        let predicted = self.predicted().unwrap_or_else(|e| panic!("{}: {e}", self.name));
-        let ring = self.ring().unwrap_or_else(|e| panic!("{}: {e}", self.name));
-        validate(&ring, predicted, plan).unwrap_or_else(|e| panic!("{}: {e}", self.name))
-    }
-}
-
-/// Passed, and with tolerances that say something: some of the rows within the billionth that must be seen.
-fn agrees(subject: &Subject, plan: ValidationPlan) {
-    let validation = subject.validate(plan);
-    let reason = validation.failure.unwrap_or_default();
-    assert!(validation.passed, "{}: {reason}", subject.name);
-    assert!(validation.max_error <= validation.tolerance);
-    let sharp = validation.rows.iter().filter(|row| row.tolerance < 1e-9).count();
-    assert!(10 * sharp >= validation.rows.len(), "{}: {sharp} sharp rows", subject.name);
-}
+use subject::{Subject, agrees, quick, sees_every_change};
 
 #[test]
 fn every_scheme_of_the_catalogue_runs_as_predicted() {
@@ -90,22 +24,22 @@ fn every_scheme_of_the_catalogue_runs_as_predicted() {
             if file.needs_kernel() {
                 subject = subject.with_kernel(Kernel::QuinticSpline, ratio(3, 2));
             }
-            agrees(&subject, ValidationPlan::default());
+            agrees(&subject, &ValidationPlan::in_dimension(1));
         }
     }
 }
 
 #[test]
 fn every_integrator_runs_every_space_as_predicted() {
-    let plan = ValidationPlan { cells: 16, steps: 20 };
+    let plan = ValidationPlan { points: vec![16], steps: 20 };
     for file in catalogue::spaces() {
         for integrator in catalogue::integrators() {
             let subject = Subject::new(file, ratio(3, 7)).with_integrator(integrator);
             match subject.predicted() {
-                Ok(_) => agrees(&subject, plan),
+                Ok(_) => agrees(&subject, &plan),
                 // Who is served is one answer by both roads.
                 Err(SchemeError::Integrator(_)) => {
-                    assert_eq!(subject.ring().err(), Some(SteppingError::NoPositions));
+                    assert_eq!(subject.running().err(), Some(SteppingError::NoPositions));
                 }
                 Err(other) => panic!("{}: {other}", subject.name),
             }
@@ -115,74 +49,17 @@ fn every_integrator_runs_every_space_as_predicted() {
 
 #[test]
 fn particle_methods_run_as_predicted_with_every_integrator() {
-    let plan = ValidationPlan { cells: 16, steps: 20 };
+    let plan = ValidationPlan { points: vec![16], steps: 20 };
     for file in catalogue::methods() {
         for kernel in [Kernel::CubicSpline, Kernel::WendlandC4, Kernel::Gaussian] {
             for integrator in catalogue::integrators() {
                 let subject = Subject::new(file, ratio(1, 3))
                     .with_kernel(kernel, ratio(6, 5))
                     .with_integrator(integrator);
-                agrees(&subject, plan);
+                agrees(&subject, &plan);
             }
         }
     }
-}
-
-/// The tree with the coefficient at one place, a number or the factor 1 of a value, made larger by a billionth; `None` behind the last.
-fn perturbed(equations: &Equations, place: usize) -> Option<Equations> {
-    fn visit(expression: &mut Expression, left: &mut Option<usize>) {
-        let here = matches!(&expression.node, Node::Number(_) | Node::Unknown(_));
-        if here {
-            match left {
-                Some(0) => {
-                    let factor = Node::Number(ratio(1_000_000_001, 1_000_000_000));
-                    let span = expression.span.clone();
-                    let factor = Box::new(Expression { node: factor, span });
-                    let value = Box::new(expression.clone());
-                    expression.node = Node::Multiply(factor, value);
-                    *left = None;
-                    return;
-                }
-                Some(count) => *count -= 1,
-                None => {}
-            }
-        }
-        match &mut expression.node {
-            Node::Add(a, b) | Node::Subtract(a, b) | Node::Multiply(a, b) | Node::Divide(a, b) => {
-                visit(a, left);
-                visit(b, left);
-            }
-            Node::SquareRoot(a) | Node::Negative(a) | Node::Power(a, _) => visit(a, left),
-            Node::Sum { body, .. } => visit(body, left),
-            Node::Number(_) | Node::Pi | Node::Name(_) | Node::Unknown(_) | Node::Weight { .. } => {
-            }
-        }
-    }
-    let (mut tree, mut left) = (equations.clone(), Some(place));
-    for equation in &mut tree.equations {
-        visit(&mut equation.left, &mut left);
-        visit(&mut equation.right, &mut left);
-    }
-    left.is_none().then_some(tree)
-}
-
-fn quick() -> ValidationPlan {
-    ValidationPlan { cells: 16, steps: 0 }
-}
-
-/// Each coefficient changed on the side of the run, then on the side of the prediction.
-fn sees_every_change(subject: &Subject) -> usize {
-    let (right, ring) = (subject.predicted().unwrap(), subject.ring().unwrap());
-    let mut changes = 0;
-    while let Some(equations) = perturbed(&subject.equations, changes) {
-        let wrong = Subject { equations, ..subject.clone() };
-        let of_run = wrong.ring().and_then(|ring| validate(&ring, &right, quick()));
-        let of_prediction = wrong.predicted().map(|wrong| validate(&ring, wrong, quick()).unwrap());
-        let missed = [of_run.is_ok_and(|v| v.passed), of_prediction.is_ok_and(|v| v.passed)];
-        assert_eq!(missed, [false, false], "{}: change {changes}", subject.name);
-        changes += 1;
-    }
-    changes
 }
 
 #[test]
@@ -245,7 +122,7 @@ fn a_billionth_of_any_coefficient_of_an_integrator_is_seen() {
         let for_waves = matches!(integrator.form, IntegratorForm::Nystrom(_));
         let subject = if for_waves { &waves } else { &space }.clone().with_integrator(integrator);
         let predicted = subject.predicted().unwrap();
-        agrees(&subject, quick());
+        agrees(&subject, &quick(1));
         for place in 0..coefficients(&mut integrator.clone()).len() {
             let mut wrong = integrator.clone();
             let mut all = coefficients(&mut wrong);
@@ -255,7 +132,7 @@ fn a_billionth_of_any_coefficient_of_an_integrator_is_seen() {
             let text = format!("({})*1000000001/1000000000", all[place].text());
             *all[place] = Coefficient::parse(&text).unwrap();
             let wrong = Subject { integrator: Some(wrong), ..subject.clone() };
-            let validation = validate(&wrong.ring().unwrap(), &predicted, quick()).unwrap();
+            let validation = validate(&wrong.running().unwrap(), &predicted, &quick(1)).unwrap();
             assert!(!validation.passed, "{}: coefficient {place}", subject.name);
             changes += 1;
         }
@@ -264,13 +141,13 @@ fn a_billionth_of_any_coefficient_of_an_integrator_is_seen() {
 }
 
 /// An explicit or implicit scheme of the catalogue at a value of its parameter.
-fn scheme_at(file: &SchemeFile, value: f64) -> Result<RingScheme, SteppingError> {
+fn scheme_at(file: &SchemeFile, value: f64) -> Result<TorusScheme, SteppingError> {
     let defaults = file.parameters.iter().map(|(n, v)| (n.clone(), to_f64(v)));
     let sought = file.parameter.clone().unwrap();
     // Known limits of kernel schemes are those of the cubic spline at ratio 2.
     let lattice =
         file.needs_kernel().then(|| KernelLattice::new(Kernel::CubicSpline, &ratio(2, 1)).unwrap());
-    RingScheme::new(
+    TorusScheme::new(
         &file.equations,
         lattice.as_ref(),
         None,
@@ -285,7 +162,8 @@ fn runs_from_noise_confirm_every_known_limit() {
         let known = file.known.stability.as_ref().and_then(|k| catalogue::approximate(&k.value));
         let Some(limit) = known.filter(|limit| *limit > 0.0) else { continue };
         let bracket =
-            bracket_limit(|value| scheme_at(file, value), limit, NoisePlan::default()).unwrap();
+            bracket_limit(|value| scheme_at(file, value), limit, &NoisePlan::in_dimension(1))
+                .unwrap();
         assert!(bracket.confirmed, "{}: {bracket:?}", file.name);
         let width = (bracket.above.value - bracket.below.value) / limit;
         assert!(width < 0.201 && bracket.below.value < limit && limit < bracket.above.value);
@@ -300,8 +178,8 @@ fn a_wrong_limit_is_not_confirmed() {
         let file = catalogue::scheme(name).unwrap();
         let known = &file.known.stability.as_ref().unwrap().value;
         let limit = catalogue::approximate(known).unwrap();
-        let plan = NoisePlan { most_steps: 2000, ..NoisePlan::default() };
-        let at = |limit| bracket_limit(|value| scheme_at(file, value), limit, plan).unwrap();
+        let plan = NoisePlan { most_steps: 2000, ..NoisePlan::in_dimension(1) };
+        let at = |limit| bracket_limit(|value| scheme_at(file, value), limit, &plan).unwrap();
         let high = at(1.3 * limit);
         assert!(!high.confirmed && high.below.grew, "{name}: {high:?}");
         let low = at(0.8 * limit);
@@ -311,10 +189,10 @@ fn a_wrong_limit_is_not_confirmed() {
 
 #[test]
 fn always_and_never_stable_schemes_run_so() {
-    let plan = NoisePlan { most_steps: 4000, ..NoisePlan::default() };
+    let plan = NoisePlan { most_steps: 4000, ..NoisePlan::in_dimension(1) };
     let run = |name: &str, value| {
         let scheme = scheme_at(catalogue::scheme(name).unwrap(), value).unwrap();
-        noise_run(&scheme.ring(plan.cells).unwrap(), value, plan)
+        noise_run(&scheme.torus(&plan.points).unwrap(), value, plan.most_steps)
     };
     for name in
         ["crank-nicolson", "box", "heat-crank-nicolson", "dufort-frankel", "implicit-upwind"]
@@ -333,15 +211,17 @@ fn always_and_never_stable_schemes_run_so() {
 fn a_singular_implicit_step_is_an_answer() {
     let file = catalogue::scheme("implicit-downwind").unwrap();
     let scheme = scheme_at(file, 0.5).unwrap();
-    assert_eq!(scheme.ring(32).err(), Some(SteppingError::Singular { cells: 32 }));
+    let singular = SteppingError::Singular { points: PerAxis(vec![32]) };
+    assert_eq!(scheme.torus(&[32]).err(), Some(singular));
     // The shortest wave is not on an odd ring.
-    agrees(&Subject::new(file, ratio(1, 2)), ValidationPlan { cells: 15, steps: 10 });
+    let plan = ValidationPlan { points: vec![15], steps: 10 };
+    agrees(&Subject::new(file, ratio(1, 2)), &plan);
 }
 
 #[test]
 fn runs_of_many_steps_are_part_of_the_answer() {
     let subject = Subject::new(catalogue::scheme("leapfrog").unwrap(), ratio(1, 2));
-    let validation = subject.validate(ValidationPlan::default());
+    let validation = subject.validate(&ValidationPlan::in_dimension(1));
     assert_eq!(validation.rows.len(), 2 * 17);
     for row in &validation.rows {
         let run = row.run.unwrap();
@@ -350,7 +230,7 @@ fn runs_of_many_steps_are_part_of_the_answer() {
     }
     // Growth too.
     let subject = Subject::new(catalogue::scheme("downwind").unwrap(), ratio(1, 2));
-    let validation = subject.validate(ValidationPlan::default());
+    let validation = subject.validate(&ValidationPlan::in_dimension(1));
     let run = validation.rows[16].run.unwrap();
     assert!((run.measured / 2f64.powi(100) - 1.0).abs() < 1e-12, "{run:?}");
     let json = serde_json::to_value(&validation).unwrap();

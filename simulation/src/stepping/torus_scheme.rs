@@ -1,45 +1,48 @@
-//! A scheme as it is run: arrays on a periodic ring.
+//! A scheme as it is run: arrays on a periodic lattice.
 
 use super::SteppingError;
 use super::dense::Factors;
+use super::lattice::{Lattice, PerAxis};
 use super::linear_form::LinearForms;
 use super::program::{Block, Program, Term};
 use super::{levels, stages};
 use courant_analysis::scheme::language::syntax::Equations;
 use courant_analysis::scheme::{Integrator, KernelLattice};
 
-/// The typed equations of a scheme, ready to be run on a ring: arrays of numbers and nothing else.
+/// The typed equations of a scheme, ready to be run on a torus: arrays of numbers and nothing else. In one dimension the torus is a ring.
 ///
 /// ```
 /// use courant_analysis::scheme::language::parse;
-/// use courant_simulation::stepping::RingScheme;
+/// use courant_simulation::stepping::TorusScheme;
 /// let upwind = parse("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])")?;
-/// let scheme = RingScheme::new(&upwind, None, None, &[("C".into(), 0.5)])?;
-/// let ring = scheme.ring(4)?;
+/// let scheme = TorusScheme::new(&upwind, None, None, &[("C".into(), 0.5)])?;
+/// let ring = scheme.torus(&[4])?;
 /// let mut state = vec![vec![0.0, 1.0, 0.0, 0.0]];
 /// ring.step(&mut state);
 /// assert_eq!(state, [vec![0.0, 0.5, 0.5, 0.0]]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct RingScheme {
+pub struct TorusScheme {
+    dimension: usize,
     program: Program,
 }
 
-/// A scheme on a ring of so many cells, with what it has to solve factorised.
+/// A scheme on a torus of so many cells, with what it has to solve factorised. The arrays of its state have one value for each cell, those
+/// along the last axis next to each other.
 #[derive(Debug, Clone)]
-pub struct Ring<'a> {
+pub struct Torus<'a> {
     program: &'a Program,
-    cells: usize,
+    pub(super) lattice: Lattice,
     /// For each block that is not explicit.
     factors: Vec<Option<Factors<f64>>>,
 }
 
-impl RingScheme {
+impl TorusScheme {
     /// Compiles equations: with time levels, or with `u[j]'` and an integrator. Every parameter needs a value.
     ///
     /// # Errors
-    /// When the equations are no linear scheme in one dimension, or the integrator does not serve them.
+    /// When the equations are no linear scheme, or the integrator does not serve them.
     pub fn new(
         tree: &Equations,
         lattice: Option<&KernelLattice>,
@@ -53,7 +56,12 @@ impl RingScheme {
             (true, None) => return Err(SteppingError::NeedsIntegrator),
             (false, Some(_)) => return Err(SteppingError::TakesNoIntegrator),
         };
-        Ok(Self { program })
+        Ok(Self { dimension: forms.dimension, program })
+    }
+
+    /// The number of space dimensions.
+    pub fn dimension(&self) -> usize {
+        self.dimension
     }
 
     /// How many arrays a step begins with: one for each level of each unknown that it looks back to.
@@ -66,29 +74,32 @@ impl RingScheme {
         self.program.blocks.iter().all(|block| block.explicit().is_some())
     }
 
-    /// The scheme on a ring.
+    /// The scheme on a torus with so many cells along each axis.
     ///
     /// # Errors
-    /// When what it solves is singular there.
-    pub fn ring(&self, cells: usize) -> Result<Ring<'_>, SteppingError> {
-        if cells == 0 {
-            return Err(SteppingError::NoCells);
+    /// When there are not as many axes as dimensions, or what it solves is singular there.
+    pub fn torus(&self, points: &[usize]) -> Result<Torus<'_>, SteppingError> {
+        if points.len() != self.dimension {
+            return Err(SteppingError::Dimension { dimension: self.dimension, axes: points.len() });
         }
+        let lattice = Lattice::new(points)?;
         let factorise = |block: &Block| match block.explicit() {
             Some(_) => Ok(None),
             None => {
-                let size = block.targets.len() * cells;
-                let factors = Factors::new(size, matrix(block, cells));
-                factors.map(Some).ok_or(SteppingError::Singular { cells })
+                let size = block.targets.len() * lattice.cells();
+                let factors = Factors::new(size, matrix(block, &lattice));
+                let singular = || SteppingError::Singular { points: lattice.points().clone() };
+                factors.map(Some).ok_or_else(singular)
             }
         };
         let factors = self.program.blocks.iter().map(factorise).collect::<Result<_, _>>()?;
-        Ok(Ring { program: &self.program, cells, factors })
+        Ok(Torus { program: &self.program, lattice, factors })
     }
 }
 
-/// The coefficients of a block on a ring, row by row: one row for each equation and cell.
-fn matrix(block: &Block, cells: usize) -> Vec<f64> {
+/// The coefficients of a block, row by row: one row for each equation and cell.
+fn matrix(block: &Block, lattice: &Lattice) -> Vec<f64> {
+    let cells = lattice.cells();
     let size = block.targets.len() * cells;
     let mut entries = vec![0.0; size * size];
     for (number, equation) in block.equations.iter().enumerate() {
@@ -97,7 +108,7 @@ fn matrix(block: &Block, cells: usize) -> Vec<f64> {
                 continue;
             };
             for cell in 0..cells {
-                let column = target * cells + neighbour(cell, term.offset, cells);
+                let column = target * cells + lattice.neighbour(cell, term.offset);
                 entries[(number * cells + cell) * size + column] += term.coefficient.value;
             }
         }
@@ -105,14 +116,15 @@ fn matrix(block: &Block, cells: usize) -> Vec<f64> {
     entries
 }
 
-fn neighbour(cell: usize, offset: i32, cells: usize) -> usize {
-    (cell as i64 + i64::from(offset)).rem_euclid(cells as i64) as usize
-}
+impl Torus<'_> {
+    /// How many cells along each axis.
+    pub fn points(&self) -> &PerAxis<usize> {
+        self.lattice.points()
+    }
 
-impl Ring<'_> {
     /// How many cells.
     pub fn cells(&self) -> usize {
-        self.cells
+        self.lattice.cells()
     }
 
     /// How many arrays a state has.
@@ -126,7 +138,7 @@ impl Ring<'_> {
     /// When the state has not [`history`](Self::history) arrays of [`cells`](Self::cells) values.
     pub fn step(&self, state: &mut [Vec<f64>]) {
         assert_eq!(state.len(), self.history(), "one array for each level of each unknown");
-        assert!(state.iter().all(|array| array.len() == self.cells), "one value for each cell");
+        assert!(state.iter().all(|array| array.len() == self.cells()), "one value for each cell");
         let mut arrays: Vec<Vec<f64>> = state.to_vec();
         arrays.resize(self.program.arrays, Vec::new());
         for (block, factors) in self.program.blocks.iter().zip(&self.factors) {
@@ -135,20 +147,20 @@ impl Ring<'_> {
                     let others = block.equations[0].iter().filter(|t| t.array != own.array);
                     let sum = self.weighted_sum(others, &arrays);
                     let target = &mut arrays[own.array];
-                    *target = vec![0.0; self.cells];
+                    *target = vec![0.0; self.cells()];
                     for (cell, value) in sum.iter().enumerate() {
-                        let place = neighbour(cell, own.offset, self.cells);
+                        let place = self.lattice.neighbour(cell, own.offset);
                         target[place] = -value / own.coefficient.value;
                     }
                 }
                 (None, Some(factors)) => {
-                    let mut right = Vec::with_capacity(block.targets.len() * self.cells);
+                    let mut right = Vec::with_capacity(block.targets.len() * self.cells());
                     for equation in &block.equations {
                         let known = equation.iter().filter(|t| !block.targets.contains(&t.array));
                         right.extend(self.weighted_sum(known, &arrays).iter().map(|sum| -sum));
                     }
                     factors.solve(&mut right);
-                    for (&target, values) in block.targets.iter().zip(right.chunks(self.cells)) {
+                    for (&target, values) in block.targets.iter().zip(right.chunks(self.cells())) {
                         arrays[target] = values.to_vec();
                     }
                 }
@@ -166,13 +178,10 @@ impl Ring<'_> {
         terms: impl Iterator<Item = &'t Term>,
         arrays: &[Vec<f64>],
     ) -> Vec<f64> {
-        let mut sum = vec![0.0; self.cells];
+        let mut sum = vec![0.0; self.cells()];
         for term in terms {
             let (values, coefficient) = (&arrays[term.array], term.coefficient.value);
-            let (left, right) = values.split_at(neighbour(0, term.offset, self.cells));
-            for (sum, value) in sum.iter_mut().zip(right.iter().chain(left)) {
-                *sum += coefficient * value;
-            }
+            self.lattice.add_neighbours(&mut sum, coefficient, values, term.offset);
         }
         sum
     }
@@ -198,13 +207,13 @@ impl Ring<'_> {
     /// The absolute inverse of a block, added up over cells: for each target, each equation.
     fn block_sums(&self, factors: &Factors<f64>) -> Vec<Vec<f64>> {
         let columns = factors.inverse_columns();
-        let count = columns.len() / self.cells;
+        let count = columns.len() / self.cells();
         let mut sums = vec![vec![0.0; count]; count];
         for (target, row) in sums.iter_mut().enumerate() {
             for (equation, sum) in row.iter_mut().enumerate() {
                 // All cells are alike: the first one of the target stands for them.
-                let of_equation = &columns[equation * self.cells..][..self.cells];
-                *sum = of_equation.iter().map(|column| column[target * self.cells].abs()).sum();
+                let of_equation = &columns[equation * self.cells()..][..self.cells()];
+                *sum = of_equation.iter().map(|column| column[target * self.cells()].abs()).sum();
             }
         }
         sums
