@@ -100,7 +100,7 @@ fn every_wave_and_branch_of_a_torus_is_compared() {
 #[test]
 fn a_billionth_of_any_coefficient_is_seen_on_a_torus() {
     let changes: usize = subjects().iter().map(sees_every_change).sum();
-    assert!(changes > 250, "{changes}");
+    assert!(changes > 200, "{changes}");
 }
 
 #[test]
