@@ -133,11 +133,6 @@ impl Names {
         })
     }
 
-    /// How a polynomial is printed.
-    pub fn text(&self, polynomial: &Laurent) -> String {
-        polynomial.to_text(&|place| self.name_at(place))
-    }
-
     /// The printed name of the variable at a place among the exponents.
     pub fn name_at(&self, place: usize) -> String {
         match place {

@@ -11,5 +11,5 @@ pub mod step_growth;
 pub mod sweep;
 pub(crate) mod wave_terms;
 
-pub use multipliers::CompiledStep;
+pub use multipliers::{CompiledStep, WavePolynomial};
 pub use step_growth::{Growth, growth_at};

@@ -14,6 +14,8 @@ use std::f64::consts::PI;
 
 mod errors;
 
+pub use errors::WavePolynomial;
+
 /// A [`Step`] in `f64`: the coefficients of `χ(z)` for any wave and any values of the parameters that are free.
 ///
 /// ```
@@ -160,22 +162,12 @@ impl CompiledStep {
     /// # Panics
     /// When there are not as many phases as [dimensions](Self::dimension).
     pub fn differences(&self, values: &[f64], phase: &[f64]) -> Vec<Complex64> {
-        self.sorted_roots(&self.coefficients(values, &self.wave(phase)))
+        sorted_roots(&self.coefficients(values, &self.wave(phase)))
     }
 
     fn wave(&self, phase: &[f64]) -> Vec<AxisWave> {
         assert_eq!(phase.len(), self.dimension, "one phase for each axis");
         phase.iter().map(|&phase| AxisWave::new(phase)).collect()
-    }
-
-    fn sorted_roots(&self, coefficients: &[Complex64]) -> Vec<Complex64> {
-        let mut found = roots(coefficients);
-        let modulus = |y: &Complex64| (y + 1.0).norm();
-        found.sort_by(|a, b| {
-            let sides = a.im.total_cmp(&b.im);
-            sides.then(modulus(b).total_cmp(&modulus(a))).then(b.re.total_cmp(&a.re))
-        });
-        found
     }
 
     /// `[b_0, b_1, …]` of `χ(1 + y)`, up to a factor.
@@ -201,6 +193,16 @@ impl CompiledStep {
             })
             .collect()
     }
+}
+
+fn sorted_roots(coefficients: &[Complex64]) -> Vec<Complex64> {
+    let mut found = roots(coefficients);
+    let modulus = |y: &Complex64| (y + 1.0).norm();
+    found.sort_by(|a, b| {
+        let sides = a.im.total_cmp(&b.im);
+        sides.then(modulus(b).total_cmp(&modulus(a))).then(b.re.total_cmp(&a.re))
+    });
+    found
 }
 
 impl CompiledPart {

@@ -64,6 +64,14 @@ impl<T: ComplexFloat<Real = f64>> Factors<T> {
         }
     }
 
+    /// The determinant.
+    pub fn determinant(&self) -> T {
+        (0..self.size).fold(T::one(), |product, step| {
+            let pivot = self.entries[step * (self.size + 1)];
+            product * if self.exchanged[step] == step { pivot } else { -pivot }
+        })
+    }
+
     /// The inverse, column by column.
     pub fn inverse_columns(&self) -> Vec<Vec<T>> {
         (0..self.size)
@@ -114,6 +122,7 @@ mod tests {
         let mut values = [6.0, 8.0];
         factors.solve(&mut values);
         assert_eq!(values, [2.0, 3.0]);
+        assert_eq!(factors.determinant(), -8.0);
         assert_eq!(factors.inverse_columns(), [vec![0.0, 0.5], vec![0.25, 0.0]]);
     }
 

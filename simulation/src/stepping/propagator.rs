@@ -118,10 +118,7 @@ impl Propagator {
     /// eight directions). Proportional to the errors where the eigenvalue is simple, to their root where two coincide.
     pub fn spread(&self, multiplier: Complex64) -> f64 {
         let size = self.matrix.len();
-        let norm = self.matrix.iter().flatten().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
-        let errors: Vec<Vec<f64>> = (self.errors.iter())
-            .map(|row| row.iter().map(|error| error + 2.0 * f64::EPSILON * norm).collect())
-            .collect();
+        let (norm, errors) = self.errors_with_elimination();
         let end = 2.0 * (size as f64 * norm + multiplier.norm() + 1.0);
         let mut radius = f64::EPSILON * (multiplier.norm() + f64::EPSILON * end);
         while radius < end {
@@ -136,6 +133,31 @@ impl Propagator {
             radius *= 2.0;
         }
         end
+    }
+
+    /// `det(w − A)`, and by how much of itself it may be off: `tr |(w − A)⁻¹| E`. `None` for an eigenvalue.
+    pub(super) fn determinant(&self, point: Complex64) -> Option<(Complex64, f64)> {
+        let size = self.matrix.len();
+        let factors = self.shifted(point)?;
+        let inverse = factors.inverse_columns();
+        let (_, errors) = self.errors_with_elimination();
+        let rest = f64::EPSILON * (size + 1) as f64;
+        let places = (0..size).flat_map(|row| (0..size).map(move |column| (row, column)));
+        let error: f64 = places
+            .map(|(row, column)| {
+                let shift = if row == column { f64::EPSILON * point.norm() } else { 0.0 };
+                inverse[row][column].norm() * (errors[row][column] + 2.0 * shift)
+            })
+            .sum();
+        let sign = if size % 2 == 0 { 1.0 } else { -1.0 };
+        Some((sign * factors.determinant(), error + 4.0 * rest))
+    }
+
+    /// The norm, and the errors of the entries with those of an elimination.
+    fn errors_with_elimination(&self) -> (f64, Vec<Vec<f64>>) {
+        let norm = self.matrix.iter().flatten().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
+        let with = |row: &Vec<f64>| row.iter().map(|e| e + 2.0 * f64::EPSILON * norm).collect();
+        (norm, self.errors.iter().map(with).collect())
     }
 
     /// Whether no matrix within twice the errors has this eigenvalue.

@@ -5,8 +5,10 @@ use super::propagator::Propagator;
 use super::runs::{Run, Runs};
 use super::torus_scheme::TorusScheme;
 use super::{SteppingError, pairing};
+use courant_analysis::waves::WavePolynomial;
 use num_complex::Complex64;
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// What a validation runs.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -85,16 +87,17 @@ const TOLERANCE_MEANING: &str = "round-off of the step (running error analysis o
 
 /// Excites every wave of a torus and compares the multipliers that the running equations show with predicted ones.
 ///
-/// `predicted` gives the multipliers of the wave of these phases, one for each axis, in any order, each with a bound on its own round-off; those that vanish
-/// may be left out.
+/// `predicted` gives the characteristic polynomial of the wave of these phases, one for each axis. Its roots are compared one by one, and
+/// its values on a circle with `det(z − A)` of what a step did: where multipliers meet, the polynomial keeps the digits that each of them
+/// loses.
 ///
 /// ```
 /// use courant_analysis::scheme::{Step, language::parse};
 /// use courant_simulation::stepping::{TorusScheme, ValidationPlan, validate};
 /// let text = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])";
 /// let leapfrog = TorusScheme::new(&parse(text)?, None, None, &[("C".into(), 0.5)])?;
-/// let multipliers = Step::from_text(text)?.compile()?;
-/// let predicted = |phase: &[f64]| multipliers.multipliers_with_errors(&[0.5], phase);
+/// let compiled = Step::from_text(text)?.compile()?;
+/// let predicted = |phase: &[f64]| compiled.polynomial(&[0.5], phase);
 /// let validation = validate(&leapfrog, predicted, &ValidationPlan::in_dimension(1))?;
 /// assert!(validation.passed && validation.max_error < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -104,7 +107,7 @@ const TOLERANCE_MEANING: &str = "round-off of the step (running error analysis o
 /// When the step is singular on the torus, or the torus has other axes than the scheme.
 pub fn validate(
     scheme: &TorusScheme,
-    predicted: impl Fn(&[f64]) -> Vec<(Complex64, f64)>,
+    predicted: impl Fn(&[f64]) -> WavePolynomial,
     plan: &ValidationPlan,
 ) -> Result<Validation, SteppingError> {
     let torus = scheme.torus(&plan.points)?;
@@ -123,7 +126,12 @@ pub fn validate(
                 propagator.mode.joined(", ")
             ));
         }
-        let pairs = pairs(propagator, predicted(&propagator.phase));
+        let polynomial = predicted(&propagator.phase);
+        let pairs = pairs(propagator, polynomial.multipliers());
+        if !same_polynomial(propagator, &polynomial) {
+            let mode = propagator.mode.joined(", ");
+            failure.get_or_insert(format!("wave {mode}: the characteristic polynomial is another"));
+        }
         let multipliers: Vec<_> = pairs.iter().map(|pair| pair.predicted).collect();
         // The order of the wave before.
         let order = pairing::nearest(&last, &multipliers);
@@ -133,6 +141,29 @@ pub fn validate(
         last = order.iter().map(|&place| multipliers[place]).collect();
     }
     Ok(summary(rows, torus.points().clone(), plan.steps, failure))
+}
+
+/// Whether `det(z − A)` is proportional to the predicted polynomial, at points on a circle around all multipliers.
+fn same_polynomial(propagator: &Propagator, polynomial: &WavePolynomial) -> bool {
+    let multipliers = polynomial.multipliers();
+    // One has multipliers that vanish and the other has not.
+    let power = multipliers.len() as i32 - propagator.matrix.len() as i32;
+    let largest = multipliers.iter().map(|(z, _)| z.norm()).fold(0.0, f64::max);
+    let radius = if largest > 0.0 { 1.25 * largest } else { 1.0 };
+    let count = 2 * propagator.matrix.len() + 1;
+    let points = (0..count).map(|k| Complex64::from_polar(radius, TAU * k as f64 / count as f64));
+    // The quotient of the two at each point, and by how much of itself it may be off.
+    let quotients: Option<Vec<(Complex64, f64)>> = points
+        .map(|z| {
+            let (measured, measured_error) = propagator.determinant(z)?;
+            let (predicted, error) = polynomial.at(z);
+            let quotient = measured * z.powi(power) / predicted;
+            Some((quotient, measured_error + error / predicted.norm()))
+        })
+        .collect();
+    // Where that says nothing, the multipliers alone are compared.
+    let Some([(first, first_error), rest @ ..]) = quotients.as_deref() else { return true };
+    rest.iter().all(|(quotient, error)| !((quotient / first - 1.0).norm() > error + first_error))
 }
 
 /// A predicted multiplier and the measured one that belongs to it.

@@ -155,7 +155,7 @@ fn cases(arguments: &Arguments, subject: &Subject) -> Result<Vec<Case>, Failure>
             )
             .map_err(stepped)?;
             let arguments: Vec<f64> = compiled.parameters().iter().map(|_| value).collect();
-            let predicted = |phase: &[f64]| compiled.multipliers_with_errors(&arguments, phase);
+            let predicted = |phase: &[f64]| compiled.polynomial(&arguments, phase);
             Ok(Case {
                 subject: subject.clone(),
                 record: subject.record(&sought.step, Some(name)),

@@ -1,25 +1,45 @@
 //! How far computed multipliers may be off.
 
-use super::{AxisWave, CompiledStep, CompiledTerm};
+use super::{AxisWave, CompiledStep, CompiledTerm, sorted_roots};
 use crate::waves::roots::roots;
 use num_complex::Complex64;
 
 /// Roundings of the longest chain of operations behind a coefficient, for each axis.
 const ROUNDINGS: f64 = 6.0;
 
-impl CompiledStep {
-    /// The [multipliers](Self::multipliers), each with a bound on the error that rounding the coefficients of `χ` has left in it.
+/// `χ(1 + y) = Σ_j b_j y^j` of one wave, up to a factor, and what rounding may have left in it.
+#[derive(Debug, Clone)]
+pub struct WavePolynomial {
+    coefficients: Vec<Complex64>,
+    /// What was added up to each, in absolute values.
+    sizes: Vec<f64>,
+}
+
+impl WavePolynomial {
+    /// The [multipliers](CompiledStep::multipliers), each with a bound on the error that rounding the coefficients of `χ` has left in it.
     ///
     /// A polynomial whose value at `y` is below `η` has a root within `min_m (C(n, m) η m!/|χ⁽ᵐ⁾(y)|)^{1/m}` of it (Henrici 1974,
     /// chapter 6): about `η` for a simple root, the m-th root of that where m roots meet.
+    pub fn multipliers(&self) -> Vec<(Complex64, f64)> {
+        let differences = sorted_roots(&self.coefficients).into_iter();
+        differences.map(|y| (y + 1.0, root_error(&self.coefficients, &self.sizes, y))).collect()
+    }
+
+    /// `χ(z)`, and a bound on its error.
+    pub fn at(&self, z: Complex64) -> (Complex64, f64) {
+        derivative(&self.coefficients, &self.sizes, z - 1.0, 0)
+    }
+}
+
+impl CompiledStep {
+    /// The characteristic polynomial of the wave of these phases.
     ///
     /// # Panics
     /// When there are not as many phases as [dimensions](Self::dimension).
-    pub fn multipliers_with_errors(&self, values: &[f64], phase: &[f64]) -> Vec<(Complex64, f64)> {
+    pub fn polynomial(&self, values: &[f64], phase: &[f64]) -> WavePolynomial {
         let wave = self.wave(phase);
-        let (coefficients, sizes) = (self.coefficients(values, &wave), self.sizes(values, &wave));
-        let differences = self.sorted_roots(&coefficients).into_iter();
-        differences.map(|y| (y + 1.0, root_error(&coefficients, &sizes, y))).collect()
+        let coefficients = self.coefficients(values, &wave);
+        WavePolynomial { coefficients, sizes: self.sizes(values, &wave) }
     }
 
     /// In one dimension, `|z|² − 1` of the largest multiplier of the wave with this `s = sin²(φ/2)` and `1 − s`, and a bound on its error, where no
@@ -58,23 +78,29 @@ impl CompiledStep {
     }
 }
 
+/// `Σ_j C(j, m) b_j y^{j−m}`, and its round-off.
+fn derivative(
+    coefficients: &[Complex64],
+    sizes: &[f64],
+    y: Complex64,
+    m: usize,
+) -> (Complex64, f64) {
+    let mut binomial = 1.0;
+    let (mut value, mut size) = (Complex64::default(), 0.0);
+    let mut power = Complex64::ONE;
+    for j in m..coefficients.len() {
+        value += coefficients[j] * power * binomial;
+        size += sizes[j] * power.norm() * binomial;
+        power *= y;
+        binomial *= (j + 1) as f64 / (j + 1 - m) as f64;
+    }
+    (value, ROUNDINGS * f64::EPSILON * size)
+}
+
 /// The bound for one root of `Σ_j b_j y^j`.
 fn root_error(coefficients: &[Complex64], sizes: &[f64], y: Complex64) -> f64 {
     let degree = coefficients.len() - 1;
-    let unit = ROUNDINGS * f64::EPSILON;
-    // Σ_j C(j, m) b_j y^{j−m}, and its round-off.
-    let derivative = |m: usize| -> (Complex64, f64) {
-        let mut binomial = 1.0;
-        let (mut value, mut size) = (Complex64::default(), 0.0);
-        let mut power = Complex64::ONE;
-        for j in m..=degree {
-            value += coefficients[j] * power * binomial;
-            size += sizes[j] * power.norm() * binomial;
-            power *= y;
-            binomial *= (j + 1) as f64 / (j + 1 - m) as f64;
-        }
-        (value, unit * size)
-    };
+    let derivative = |m: usize| derivative(coefficients, sizes, y, m);
     let (_, residual) = derivative(0);
     let mut choices = 1.0;
     let mut least = f64::INFINITY;
@@ -105,7 +131,7 @@ mod tests {
             let value = a[1..a.len() - 3].parse::<f64>().unwrap() / 7.0;
             if value != 0.0 {
                 let step = Step::from_text(&text).unwrap().compile().unwrap();
-                for (multiplier, error) in step.multipliers_with_errors(&[], &[0.7]) {
+                for (multiplier, error) in step.polynomial(&[], &[0.7]).multipliers() {
                     prop_assert!((multiplier - value).norm() <= error);
                     prop_assert!(error < 30.0 * f64::EPSILON.powf(1.0 / order as f64));
                 }
@@ -122,7 +148,7 @@ mod tests {
         let step = Step::from_text(text).unwrap().compile().unwrap();
         for (phase, least, most) in [(0.5, 1e-16, 1e-13), (3.0, 1e-12, 1e-10)] {
             let exact = (1.0 + 0.9 * f64::cos(phase)).powi(-3);
-            let [(multiplier, error)] = step.multipliers_with_errors(&[], &[phase])[..] else {
+            let [(multiplier, error)] = step.polynomial(&[], &[phase]).multipliers()[..] else {
                 panic!("one multiplier")
             };
             assert!((multiplier.re - exact).abs() <= error);

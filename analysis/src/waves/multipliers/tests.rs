@@ -267,7 +267,7 @@ proptest! {
             Complex64::from_polar(1.0, phase)
         };
         let b: Complex64 = weights.iter().map(|(k, weight)| shift(*k) * (*weight as f64 / 16.0)).sum();
-        let found = step.compile().unwrap().multipliers_with_errors(&[], &phases);
+        let found = step.compile().unwrap().polynomial(&[], &phases).multipliers();
         prop_assert_eq!(found.len(), 2);
         for (z, error) in found {
             prop_assert!(exact.iter().any(|w| (z - w).norm() <= error), "{z} {exact:?} {error}");
