@@ -1,74 +1,103 @@
-//! Limits in two and three dimensions.
+//! Limits in two and three dimensions, with their waves and the work they take.
 
-use courant_analysis::scheme::Step;
+use courant_analysis::exact::rational::ratio;
+use courant_analysis::scheme::{Step, catalogue};
+use courant_analysis::stability::{Cause, Evidence, SearchPlan, StableSet};
+use std::f64::consts::PI;
+
+fn set_of(name: &str, settings: &[(&str, &str)]) -> StableSet {
+    let file = catalogue::scheme(name).unwrap();
+    let parameter = file.parameter.as_deref().unwrap();
+    let settings: Vec<_> = settings
+        .iter()
+        .map(|(name, value)| {
+            (name.to_string(), courant_analysis::exact::rational::parse(value).unwrap())
+        })
+        .collect();
+    let step = file.step(None, None, &settings, Some(parameter)).unwrap();
+    step.stable_set(parameter, &SearchPlan::default()).unwrap()
+}
 
 #[test]
-fn show() {
-    for (name, text) in [
-        ("donor", "u[n+1,i,j] = u[n,i,j] - C*(u[n,i,j] - u[n,i-1,j]) - C*(u[n,i,j] - u[n,i,j-1])"),
-        (
-            "ctu",
-            "u[n+1,i,j] = (1-C)^2*u[n,i,j] + C*(1-C)*(u[n,i-1,j]+u[n,i,j-1]) + C^2*u[n,i-1,j-1]",
-        ),
-        (
-            "lw",
-            "u[n+1,i,j] = u[n,i,j] - C/2*(u[n,i+1,j]-u[n,i-1,j]) - C/2*(u[n,i,j+1]-u[n,i,j-1]) + C^2/2*(u[n,i+1,j]-2*u[n,i,j]+u[n,i-1,j]) + C^2/2*(u[n,i,j+1]-2*u[n,i,j]+u[n,i,j-1]) + C^2/4*(u[n,i+1,j+1]-u[n,i+1,j-1]-u[n,i-1,j+1]+u[n,i-1,j-1])",
-        ),
-        (
-            "heat",
-            "u[n+1,i,j] = u[n,i,j] + C*(u[n,i+1,j]+u[n,i-1,j]+u[n,i,j+1]+u[n,i,j-1]-4*u[n,i,j])",
-        ),
-        (
-            "heat9",
-            "u[n+1,i,j] = u[n,i,j] + C/6*(4*(u[n,i+1,j]+u[n,i-1,j]+u[n,i,j+1]+u[n,i,j-1])+u[n,i+1,j+1]+u[n,i+1,j-1]+u[n,i-1,j+1]+u[n,i-1,j-1]-20*u[n,i,j])",
-        ),
-        (
-            "wave2",
-            "u[n+1,i,j] = 2*u[n,i,j] - u[n-1,i,j] + C^2*(u[n,i+1,j]+u[n,i-1,j]+u[n,i,j+1]+u[n,i,j-1]-4*u[n,i,j])",
-        ),
-        (
-            "heat7",
-            "u[n+1,i,j,k] = u[n,i,j,k] + C*(u[n,i+1,j,k]+u[n,i-1,j,k]+u[n,i,j+1,k]+u[n,i,j-1,k]+u[n,i,j,k-1]+u[n,i,j,k+1]-6*u[n,i,j,k])",
-        ),
-        (
-            "yee2",
-            "h[n+1/2,i,j+1/2] = h[n-1/2,i,j+1/2] - C*(e[n,i,j+1]-e[n,i,j]); g[n+1/2,i+1/2,j] = g[n-1/2,i+1/2,j] + C*(e[n,i+1,j]-e[n,i,j]); e[n+1,i,j] = e[n,i,j] + C*(g[n+1/2,i+1/2,j]-g[n+1/2,i-1/2,j]) - C*(h[n+1/2,i,j+1/2]-h[n+1/2,i,j-1/2])",
-        ),
-        (
-            "yee3",
-            "x[n+1,i+1/2,j,k] = x[n,i+1/2,j,k] + C*(c[n+1/2,i+1/2,j+1/2,k]-c[n+1/2,i+1/2,j-1/2,k]-b[n+1/2,i+1/2,j,k+1/2]+b[n+1/2,i+1/2,j,k-1/2]); y[n+1,i,j+1/2,k] = y[n,i,j+1/2,k] + C*(a[n+1/2,i,j+1/2,k+1/2]-a[n+1/2,i,j+1/2,k-1/2]-c[n+1/2,i+1/2,j+1/2,k]+c[n+1/2,i-1/2,j+1/2,k]); z[n+1,i,j,k+1/2] = z[n,i,j,k+1/2] + C*(b[n+1/2,i+1/2,j,k+1/2]-b[n+1/2,i-1/2,j,k+1/2]-a[n+1/2,i,j+1/2,k+1/2]+a[n+1/2,i,j-1/2,k+1/2]); a[n+1/2,i,j+1/2,k+1/2] = a[n-1/2,i,j+1/2,k+1/2] - C*(z[n,i,j+1,k+1/2]-z[n,i,j,k+1/2]-y[n,i,j+1/2,k+1]+y[n,i,j+1/2,k]); b[n+1/2,i+1/2,j,k+1/2] = b[n-1/2,i+1/2,j,k+1/2] - C*(x[n,i+1/2,j,k+1]-x[n,i+1/2,j,k]-z[n,i+1,j,k+1/2]+z[n,i,j,k+1/2]); c[n+1/2,i+1/2,j+1/2,k] = c[n-1/2,i+1/2,j+1/2,k] - C*(y[n,i+1,j+1/2,k]-y[n,i,j+1/2,k]-x[n,i+1/2,j+1,k]+x[n,i+1/2,j,k])",
-        ),
-        (
-            "up3",
-            "u[n+1,i,j,k] = u[n,i,j,k] - C*(3*u[n,i,j,k] - u[n,i-1,j,k]- u[n,i,j-1,k]- u[n,i,j,k-1])",
-        ),
-        (
-            "cn2",
-            "u[n+1,i,j] -u[n,i,j] + C/4*(u[n+1,i+1,j]-u[n+1,i-1,j]+u[n,i+1,j]-u[n,i-1,j]) + C/4*(u[n+1,i,j+1]-u[n+1,i,j-1]+u[n,i,j+1]-u[n,i,j-1])=0",
-        ),
-        (
-            "ftcs",
-            "u[n+1,i,j] = u[n,i,j] - C/2*(u[n,i+1,j]-u[n,i-1,j]) - C/2*(u[n,i,j+1]-u[n,i,j-1])",
-        ),
-        (
-            "fromm",
-            "u[n+1,i,j] = u[n,i,j] - C*(u[n,i,j]-u[n,i-1,j]) - C*(1-C)/4*(u[n,i+1,j]-u[n,i,j]-u[n,i-1,j]+u[n,i-2,j]) - C*(u[n,i,j]-u[n,i,j-1]) - C*(1-C)/4*(u[n,i,j+1]-u[n,i,j]-u[n,i,j-1]+u[n,i,j-2])",
-        ),
-    ] {
-        let start = std::time::Instant::now();
-        let step = Step::from_text(text).unwrap();
-        let set = step.stable_set("C", &Default::default()).unwrap();
-        let limit = set.limit();
-        println!(
-            "{name}: {:?} {:?} {:?} wave {:?} intervals {} undecided {:?} work {:?} {:?}",
-            limit.closed_form(),
-            limit.decimal(16),
-            limit.evidence(),
-            limit.critical_wave(),
-            set.intervals.len(),
-            set.undecided,
-            set.work,
-            start.elapsed()
+fn the_wave_that_binds_is_named() {
+    let wave = |name: &str| set_of(name, &[]).limit().critical_wave().unwrap().clone();
+    // Unsplit Lax–Wendroff: long waves along the diagonal.
+    let long = wave("lax-wendroff-2d");
+    assert_eq!(long.phases(), [0.0, 0.0]);
+    assert!(long.direction().iter().all(|x| (x - 0.5f64.sqrt()).abs() < 1e-6));
+    // The wave equation: the checkerboard.
+    assert_eq!(wave("wave-2-2d").phases(), [PI, PI]);
+    assert_eq!(set_of("wave-2-2d", &[]).limit().cause(), Some(Cause::ShortestWave));
+    // Leapfrog: four cells along each axis.
+    let leapfrog = wave("leapfrog-2d");
+    assert!(leapfrog.phases().iter().all(|phase| (phase - 0.5 * PI).abs() < 1e-9));
+    // The 19-point stencil in space: two cells along two axes, constant along the third.
+    let mut plane = wave("heat-19-point-3d").phases().to_vec();
+    plane.sort_by(f64::total_cmp);
+    assert_eq!(plane, [0.0, PI, PI]);
+}
+
+#[test]
+fn unequal_courant_numbers_of_unsplit_lax_wendroff() {
+    // C_x^{2/3} + C_y^{2/3} <= 1 (Lax & Wendroff 1964 have it for equal ones; by Hoelder's inequality on long waves).
+    for (a, exact) in [("8", 1.0 / 125f64.sqrt()), ("1/8", (4f64 / 5.0).powf(1.5)), ("3", f64::NAN)]
+    {
+        let limit = set_of("lax-wendroff-2d", &[("a", a)]).limit();
+        let ratio = courant_analysis::exact::rational::to_f64(
+            &courant_analysis::exact::rational::parse(a).unwrap(),
         );
+        let expected = (1.0 + ratio.powf(2.0 / 3.0)).powf(-1.5);
+        assert!(exact.is_nan() || (exact - expected).abs() < 1e-15);
+        assert_eq!(limit.evidence(), Evidence::Proved);
+        // The enclosure is 2^-52 wide; the expected value is rounded.
+        assert!(
+            limit.lower() <= expected * (1.0 + 1e-14) && expected * (1.0 - 1e-14) <= limit.upper()
+        );
+        assert!(limit.upper() - limit.lower() < 1e-12 * expected, "{a}: {limit:?}");
     }
+}
+
+#[test]
+fn limits_cost_few_boxes() {
+    // Counted, with room for rounding of the guesses: a slow search fails here.
+    for (name, boxes) in [
+        ("lax-wendroff-2d", 32),
+        ("donor-cell-3d", 150),
+        ("yee-3d", 16),
+        ("heat-27-point-3d", 8),
+        ("fromm-corner-2d", 150),
+        ("corner-transport-upwind-3d", 150),
+    ] {
+        let work = set_of(name, &[]).work;
+        assert!(work.boxes <= boxes, "{name}: {work:?}");
+    }
+}
+
+#[test]
+fn a_limit_that_floating_point_sees_in_the_fourth_digit_only() {
+    // |g| - 1 is 1e-13 here for waves of a thousand cells: sampling calls it stable.
+    let lax_wendroff = catalogue::scheme("lax-wendroff-2d").unwrap();
+    let step = lax_wendroff.step(None, None, &[], Some("C")).unwrap();
+    let at = |value| step.with("C", &value).unwrap();
+    let decide =
+        |value| courant_analysis::stability::decide_step_at(&at(value), &ratio(0, 1)).unwrap();
+    use courant_analysis::stability::PointVerdict::{Stable, Unstable};
+    assert_eq!(decide(ratio(353_553_390_593, 1_000_000_000_000)), Stable);
+    assert!(matches!(decide(ratio(353_553_390_594, 1_000_000_000_000)), Unstable(_)));
+}
+
+#[test]
+fn budgets_for_growth_and_windows() {
+    let donor = "u[n+1,i,j] = u[n,i,j] - C*(u[n,i,j] - u[n,i-1,j]) - C*(u[n,i,j] - u[n,i,j-1])";
+    let step = Step::from_text(donor).unwrap();
+    // g(pi, pi) = 1 - 4C: |g| <= 1 + e up to C = 1/2 + e/4.
+    let plan = SearchPlan::default().growing(ratio(1, 10));
+    let limit = step.stable_set("C", &plan).unwrap().limit();
+    assert_eq!(limit.exact().unwrap().to_string(), "21/40");
+    // Downwind in space, implicit in time, one axis after the other: the window [1, oo).
+    let downwind = "(1 - C)^2*u[n+1,i,j] + C*(1 - C)*(u[n+1,i+1,j] + u[n+1,i,j+1]) + C^2*u[n+1,i+1,j+1] = u[n,i,j]";
+    let set = Step::from_text(downwind).unwrap().stable_set("C", &SearchPlan::default()).unwrap();
+    assert_eq!(set.intervals.len(), 1, "{set:?}");
+    assert_eq!(set.intervals[0].from.value(), 1.0);
+    assert!(set.intervals[0].to.is_unbounded());
 }

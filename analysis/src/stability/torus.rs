@@ -66,8 +66,11 @@ impl TorusInequality {
         stride: usize,
     ) -> Option<Self> {
         // Squares out of the way: boxes do not decide where they touch zero.
-        let mut polynomial = requirement.polynomial.odd_part();
-        let square = requirement.polynomial.divide_exactly(&polynomial)?;
+        let (mut polynomial, mut square) = (requirement.polynomial.clone(), Laurent::integer(1));
+        if !polynomial.is_zero() {
+            polynomial = polynomial.odd_part();
+            square = requirement.polynomial.divide_exactly(&polynomial)?;
+        }
         let mut whatever_the_step = false;
         if let Some(variable) = parameter {
             let common = super::symmetric(polynomial.content(variable));

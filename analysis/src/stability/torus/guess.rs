@@ -24,6 +24,9 @@ pub(super) struct Critical {
 const FEWEST: [usize; 3] = [32, 8, 4];
 const MOST: [usize; 3] = [256, 24, 10];
 
+/// A coefficient below this share of the largest is a rounding.
+const ROUNDING: f64 = 1e-15;
+
 /// The steps of a refinement end here.
 const FINEST: f64 = 1e-10;
 
@@ -44,7 +47,7 @@ impl Guesses {
         for (inequality, all) in cells.iter().enumerate() {
             for (cell, compiled) in all.iter().enumerate() {
                 for point in grid(compiled.wave_degrees()) {
-                    let powers = compiled.at_point(&point);
+                    let powers = without_roundings(compiled.at_point(&point));
                     samples.push((Spot { inequality, cell, point }, powers));
                 }
             }
@@ -103,7 +106,7 @@ impl Guesses {
     pub(super) fn refined(&self, guess: &Critical, is_start: bool) -> Critical {
         let cell = &self.cells[guess.spot.inequality][guess.spot.cell];
         let end_at = |point: &[f64]| -> Option<f64> {
-            let powers = cell.at_point(point);
+            let powers = without_roundings(cell.at_point(point));
             let intervals = negative_intervals(&powers, self.end).into_iter();
             let ends = intervals.map(|(from, to)| if is_start { from } else { to });
             let away = |end: &f64| (end - guess.parameter).abs();
@@ -129,6 +132,15 @@ impl Guesses {
         }
         best
     }
+}
+
+/// Without the low powers of `t` whose coefficients are zero: they would place a root at the least positive number.
+fn without_roundings(mut powers: Vec<f64>) -> Vec<f64> {
+    let largest = powers.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let nothing = |value: &&f64| value.abs() <= ROUNDING * largest;
+    let first = powers.iter().take_while(nothing).count();
+    powers.drain(..first);
+    powers
 }
 
 /// A grid on the unit cube that resolves polynomials of these degrees.
