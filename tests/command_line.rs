@@ -301,7 +301,7 @@ fn bad_input_is_one_clear_line_and_exit_code_2() {
         ),
         (
             vec!["check", "--scheme", "godunov-sph", "--ratio", "1", "--cfl", "1e9"],
-            vec!["--cfl", "at most"],
+            vec!["--cfl", "from 0 to"],
         ),
         (
             vec![
