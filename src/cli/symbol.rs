@@ -1,17 +1,19 @@
 //! `courant symbol`.
 
+mod order;
+
 use super::columns::{empty, subject_cells, subject_columns};
 use super::output::{Format, paragraphs, print, print_json, table_text};
 use super::subject::{Defaults, Kind, Subject, SubjectOptions, assumptions};
 use super::{Failure, Outcome};
 use clap::Args;
-use courant::analysis::exact::laurent::{Laurent, Variable};
+use courant::analysis::exact::laurent::{Laurent, Variable, latex};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::scheme::{LetterKind, OneStep, Step};
-use courant::analysis::waves::consistency::{Consistency, consistency};
-use courant::reports::number::significant;
-use courant::reports::record::{CoefficientRecord, OrderRecord, SymbolRecord};
+use courant::analysis::waves::long_waves::NoSeries;
+use courant::reports::record::{CoefficientRecord, DerivativeRecord, SymbolRecord};
 use courant::reports::table::{Align, Table};
+use order::{Order, order};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -25,6 +27,9 @@ pub struct Arguments {
     /// Also the matrix P of P U = 0, by rows, in JSON.
     #[arg(long)]
     matrix: bool,
+    /// How many terms of the modified equation; without it those that show the first errors in amplitude and in speed.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=30))]
+    terms: Option<u8>,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]
     format: Format,
@@ -36,7 +41,7 @@ struct Answer {
     step: Step,
     parameter: Option<String>,
     one_step: Option<OneStep>,
-    consistency: Option<Consistency>,
+    order: Result<Order, NoSeries>,
     /// `χ` by powers of z, ascending.
     characteristic: Vec<Laurent>,
     keeps_constants: bool,
@@ -49,14 +54,24 @@ struct Rows {
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let subjects = arguments.subject.subjects(&Defaults::default())?;
-    let answers: Vec<Answer> =
-        subjects.into_par_iter().map(answer).collect::<Result<_, Failure>>()?;
+    let answers: Vec<Answer> = subjects
+        .into_par_iter()
+        .map(|subject| answer(arguments, subject))
+        .collect::<Result<_, Failure>>()?;
     let records = || answers.iter().map(|answer| record(arguments, answer));
     match (arguments.format, answers.as_slice()) {
         (Format::Json, [one]) => print_json("symbol", &record(arguments, one)),
         (Format::Json, _) => print_json("symbol", &Rows { rows: records().collect() }),
         (Format::Latex, _) => {
-            let lines: Vec<String> = records().map(|record| record.latex).collect();
+            let equation = |answer: &Answer| {
+                let order = answer.order.as_ref().ok()?;
+                Some(order.series.equation_latex(order.terms.as_ref()?))
+            };
+            let lines: Vec<String> = answers
+                .iter()
+                .zip(records())
+                .flat_map(|(answer, record)| std::iter::once(record.latex).chain(equation(answer)))
+                .collect();
             print(&format!("{}\n", lines.join("\n")))
         }
         (Format::Csv, _) => {
@@ -69,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
 }
 
-fn answer(subject: Subject) -> Result<Answer, Failure> {
+fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
     // Parameters may stay open here: there is nothing to be decided.
     let (step, parameter) = match subject.sought(true) {
         Ok(sought) => {
@@ -93,12 +108,9 @@ fn answer(subject: Subject) -> Result<Answer, Failure> {
         .fold(chi, |chi, axis| chi.shifted(axis, -leading.range(axis).map_or(0, |(low, _)| low)));
     let characteristic = shifted.coefficients(Variable::TIME);
     let one_step = parameter.as_ref().and_then(|name| step.one_step(name));
-    // Orders are compared with one exact step, which the catalogue states: here that of advection.
-    let exact = subject.file.exact.as_deref();
-    let advected = parameter.as_ref().filter(|name| exact == Some(&format!("-I*{name}*phi")));
-    let consistency = advected.and_then(|name| consistency(&step, name));
+    let order = order(&subject, parameter.as_deref(), arguments.terms.map(usize::from))?;
     let keeps_constants = step.keeps_constants().map_err(failed)?;
-    Ok(Answer { subject, step, parameter, one_step, consistency, characteristic, keeps_constants })
+    Ok(Answer { subject, step, parameter, one_step, order, characteristic, keeps_constants })
 }
 
 fn record(arguments: &Arguments, answer: &Answer) -> SymbolRecord {
@@ -109,6 +121,7 @@ fn record(arguments: &Arguments, answer: &Answer) -> SymbolRecord {
     };
     let characteristic = characteristic_latex(answer);
     let one = answer.one_step.as_ref();
+    let order = answer.order.as_ref().ok();
     SymbolRecord {
         subject: answer.subject.record(step, answer.parameter.as_deref()),
         equations: answer.subject.file.equations.text.trim().into(),
@@ -122,13 +135,37 @@ fn record(arguments: &Arguments, answer: &Answer) -> SymbolRecord {
         unknowns: step.unknowns().to_vec(),
         matrix: arguments.matrix.then(matrix),
         keeps_constants: answer.keeps_constants,
-        order: answer.consistency.as_ref().map(|found| OrderRecord {
-            space: None,
-            time: None,
-            overall: found.order,
-        }),
-        long_wave_speed: answer.consistency.as_ref().map(|found| to_f64(&found.speed_ratio)),
+        order: order.map(Order::record),
+        order_reasons: match &answer.order {
+            Ok(order) => order.reasons(),
+            Err(reason) => vec![reason.to_string()],
+        },
+        compared_with: answer.subject.file.exact.clone(),
+        modified_equation: order.and_then(Order::equation),
+        modified_equation_reason: match &answer.order {
+            Ok(order) => order.equation_reason(),
+            Err(reason) => Some(reason.to_string()),
+        },
+        dissipation: order.and_then(Order::dissipation),
+        dispersion: order.and_then(Order::dispersion),
+        special_values: order.map(Order::special_values).unwrap_or_default(),
+        long_wave_speed: long_wave_speed(answer),
     }
+}
+
+/// Over that of the exact step. Where the mean drifts, the speed of the first moment.
+fn long_wave_speed(answer: &Answer) -> Option<f64> {
+    let parameter = answer.parameter.as_ref()?;
+    let speed = match (&answer.order, &answer.one_step) {
+        (Ok(order), _) => order.series.speed_ratio(),
+        (Err(NoSeries::Drift), Some(one))
+            if answer.subject.file.exact == Some(format!("-I*{parameter}*phi")) =>
+        {
+            Some(-one.moment(1).coefficient(1))
+        }
+        _ => None,
+    };
+    speed.as_ref().map(to_f64)
 }
 
 /// The stencil: every neighbour from the first to the last.
@@ -183,25 +220,6 @@ fn characteristic_text(answer: &Answer) -> String {
 fn characteristic_latex(answer: &Answer) -> String {
     let write = |coefficient: &Laurent| latex(&answer.step.text(coefficient));
     in_powers(answer, write, |exponent| format!("z^{{{exponent}}}").replace("^{1}", ""))
-}
-
-/// A polynomial as it is printed, in LaTeX: exponents in braces, Greek letters by their commands.
-fn latex(text: &str) -> String {
-    let word = |word: &str| {
-        let (base, exponent) = word.split_once('^').unwrap_or((word, ""));
-        let base = match base {
-            "alpha" | "beta" | "gamma" | "delta" | "epsilon" | "eta" | "theta" | "kappa"
-            | "lambda" | "mu" | "nu" | "omega" | "pi" | "rho" | "sigma" | "tau" => {
-                format!("\\{base}")
-            }
-            _ if base.len() > 1 && base.chars().all(|c| c.is_ascii_alphabetic()) => {
-                format!("\\mathrm{{{base}}}")
-            }
-            _ => base.into(),
-        };
-        if exponent.is_empty() { base } else { format!("{base}^{{{exponent}}}") }
-    };
-    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// One row a neighbour, or one a scheme that has no stencil of one step.
@@ -301,16 +319,9 @@ fn text(answer: &Answer, format: Format) -> String {
     }
     facts.push(("time levels", (answer.characteristic.len()).to_string()));
     facts.push(("keeps constants", if answer.keeps_constants { "yes" } else { "no" }.into()));
-    if let Some(found) = &answer.consistency {
-        let order = match found.order {
-            Some(0) => format!(
-                "0: long waves travel at {} times the true speed",
-                significant(to_f64(&found.speed_ratio), 8)
-            ),
-            Some(order) => order.to_string(),
-            None => "none: a constant is not kept, the mean drifts".into(),
-        };
-        facts.push(("order (advection)", order));
+    match &answer.order {
+        Err(reason) => facts.push(("order", format!("none: {reason}"))),
+        Ok(order) => facts.extend(accuracy_facts(answer, order)),
     }
     let facts: Vec<String> =
         facts.into_iter().map(|(name, value)| format!("{name:<18} {value}")).collect();
@@ -319,4 +330,31 @@ fn text(answer: &Answer, format: Format) -> String {
         text.push_str(&paragraphs(&assumptions(std::iter::once(&answer.subject))));
     }
     text
+}
+
+/// What is told of the order.
+fn accuracy_facts(answer: &Answer, order: &Order) -> Vec<(&'static str, String)> {
+    let against = match &answer.subject.file.exact {
+        Some(exact) => format!("one exact step, exp({exact})"),
+        None => "its own leading term, as no exact step is stated".into(),
+    };
+    let mut facts = vec![("order", order.text()), ("compared with", against)];
+    for (name, error) in [("dissipation", order.dissipation()), ("dispersion", order.dispersion())]
+    {
+        let DerivativeRecord::Line(power) = (match &error {
+            Some(error) => error.derivative.clone(),
+            None => continue,
+        }) else {
+            continue;
+        };
+        let coefficient = error.map_or_else(String::new, |error| error.coefficient);
+        facts.push((name, format!("from {coefficient} Δx^{power} ∂x^{power} u on")));
+    }
+    facts.extend(order.special_text().map(|text| ("error vanishes at", text)));
+    match (&order.terms, order.equation_reason()) {
+        (Some(terms), _) => facts.push(("modified equation", order.series.equation_text(terms))),
+        (None, Some(reason)) => facts.push(("modified equation", format!("none: {reason}"))),
+        _ => {}
+    }
+    facts
 }

@@ -9,6 +9,7 @@ mod print;
 mod product;
 
 pub use divisor::greatest_common_divisor;
+pub use print::latex;
 
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;

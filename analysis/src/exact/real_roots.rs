@@ -58,6 +58,15 @@ pub fn real_roots(
     roots
 }
 
+/// Cauchy's bound on the moduli of all roots.
+pub(crate) fn root_bound(polynomial: &Polynomial<Rational>) -> Rational {
+    let Some((leading, rest)) = polynomial.coefficients().split_last() else {
+        return Rational::one();
+    };
+    let ratios = rest.iter().map(|value| (value / leading).abs());
+    Rational::one() + ratios.max().unwrap_or_default()
+}
+
 /// Sturm's chain of a polynomial: `p, p', −rem(p, p'), …`, each made primitive.
 #[derive(Debug, Clone)]
 pub struct SturmChain {

@@ -51,6 +51,22 @@ pub struct Known {
     pub monotonicity: Option<KnownLimit>,
     /// All stable values, where they are not one interval from 0.
     pub stable_set: Option<KnownSet>,
+    /// Orders of accuracy.
+    pub order: Option<KnownOrder>,
+}
+
+/// Orders of accuracy from the literature.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct KnownOrder {
+    /// In space.
+    pub space: Option<u32>,
+    /// In time.
+    pub time: Option<u32>,
+    /// At a fixed parameter.
+    pub overall: Option<u32>,
+    /// Where they stand.
+    pub source: String,
 }
 
 /// A limit from the literature.

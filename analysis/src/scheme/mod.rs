@@ -17,6 +17,7 @@ pub(crate) mod testing;
 pub use integrator::{Coefficient, Integrator, IntegratorFileError, IntegratorForm, Nystrom};
 pub use kernel_function::KernelLattice;
 pub use lattice_method::{COURANT, LatticeMethod};
+pub(crate) use linear::constant;
 pub use lines::Lines;
 pub use names::{Letter, LetterKind, Name, Names};
 pub use one_step::OneStep;

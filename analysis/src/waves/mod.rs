@@ -1,9 +1,11 @@
 //! What a scheme does to its waves, in floating point: multipliers, growth, sweeps, dispersion.
 
+pub mod accuracy;
 pub(crate) mod bands;
-pub mod consistency;
 pub mod dispersion;
 pub mod growth;
+pub mod long_waves;
+pub mod modified_equation;
 pub mod multipliers;
 pub(crate) mod precise;
 mod roots;

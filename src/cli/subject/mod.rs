@@ -139,12 +139,7 @@ impl Subject {
         let parameter = self.sought_parameter(&known, may_be_set)?;
         let given = self.values.iter().find(|(name, _)| *name == parameter);
         let value = given.map(|(_, value)| value.clone());
-        let mut step = self.set(open, Some(&parameter))?;
-        for (name, default) in &self.file.parameters {
-            if *name != parameter && !self.is_set(name) && known.contains(name) {
-                step = step.with(name, default).map_err(|error| self.failure(&error))?;
-            }
-        }
+        let step = self.with_defaults(open, &[&parameter])?;
         let open: Vec<String> =
             step.free_parameters().into_iter().filter(|name| *name != parameter).collect();
         match open.is_empty() {
@@ -167,13 +162,7 @@ impl Subject {
                 return Err(Failure::Message(format!("--set {name}: it is an axis of the map")));
             }
         }
-        let mut step = self.set(open, None)?;
-        for (name, default) in &self.file.parameters {
-            let taken = *name == x.name || *name == y.name || self.is_set(name);
-            if !taken && step.names().parameter(name).is_some() {
-                step = step.with(name, default).map_err(|error| self.failure(&error))?;
-            }
-        }
+        let step = self.with_defaults(open, &[&x.name, &y.name])?;
         let axes = [&x.name, &y.name];
         let open: Vec<String> =
             step.free_parameters().into_iter().filter(|name| !axes.contains(&name)).collect();
@@ -182,11 +171,28 @@ impl Subject {
 
     /// Its step with the values that were given, and nothing else.
     pub fn with_values(&self) -> Result<Step, Failure> {
-        self.set(self.open_step()?, None)
+        self.set(self.open_step()?, &[])
     }
 
-    fn set(&self, mut step: Step, but: Option<&str>) -> Result<Step, Failure> {
-        for (name, given) in self.values.iter().filter(|(name, _)| Some(name.as_str()) != but) {
+    /// Its step with values and defaults for all parameters but these.
+    pub fn opened(&self, but: &[&str]) -> Result<Step, Failure> {
+        self.with_defaults(self.open_step()?, but)
+    }
+
+    fn with_defaults(&self, step: Step, but: &[&str]) -> Result<Step, Failure> {
+        let mut step = self.set(step, but)?;
+        for (name, default) in &self.file.parameters {
+            let taken = but.contains(&name.as_str()) || self.is_set(name);
+            if !taken && step.names().parameter(name).is_some() {
+                step = step.with(name, default).map_err(|error| self.failure(&error))?;
+            }
+        }
+        Ok(step)
+    }
+
+    fn set(&self, mut step: Step, but: &[&str]) -> Result<Step, Failure> {
+        let kept = |(name, _): &&(String, Rational)| !but.contains(&name.as_str());
+        for (name, given) in self.values.iter().filter(kept) {
             // A name of the file that drops out of the equations of this lattice.
             let occurs = step.names().parameter(name).is_some();
             if !occurs && self.file.parameters.contains_key(name) {
@@ -208,7 +214,8 @@ impl Subject {
         Ok(step)
     }
 
-    fn is_set(&self, name: &str) -> bool {
+    /// Whether somebody gave it a value.
+    pub fn is_set(&self, name: &str) -> bool {
         self.values.iter().any(|(set, _)| set == name)
     }
 

@@ -329,6 +329,30 @@ impl Laurent {
     }
 }
 
+impl Laurent {
+    /// `(root, rest)` with `p = root² rest`, `rest` without squares of polynomials or of small numbers; `(0, 1)` for zero.
+    pub fn square_part(&self) -> (Self, Self) {
+        let mut root = Self::integer(1);
+        for (multiplicity, factor) in (1..).zip(&square_free_factors(self)) {
+            root = &root * &factor.pow(multiplicity / 2);
+        }
+        let Some(rest) = self.divide_exactly(&(&root * &root)).filter(|rest| !rest.is_zero())
+        else {
+            return (Self::default(), Self::integer(1));
+        };
+        let monomial = rest.lowest_powers().map(|power| power.div_euclid(2));
+        let content = rest.integer_content();
+        let mut factor = content.sqrt();
+        if &factor * &factor != content {
+            let squares = |whole: &i64| (&content % (whole * whole)).is_zero();
+            factor = (2i64..100).filter(squares).max().unwrap_or(1).into();
+        }
+        let (shift, square) = (Self::monomial(monomial, factor.clone()), factor.pow(2));
+        let rest = rest.divide_exactly(&Self::monomial(monomial.map(|power| 2 * power), square));
+        (root * shift, rest.expect("the square divides"))
+    }
+}
+
 impl num_traits::Zero for Laurent {
     fn zero() -> Self {
         Self::default()

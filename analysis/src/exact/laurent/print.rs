@@ -22,6 +22,28 @@ impl Laurent {
     }
 }
 
+/// A polynomial as it is printed, in LaTeX: exponents in braces, Greek letters by their commands.
+pub fn latex(text: &str) -> String {
+    let word = |word: &str| {
+        if word.starts_with('\\') {
+            return word.into();
+        }
+        let (base, exponent) = word.split_once('^').unwrap_or((word, ""));
+        let base = match base {
+            "alpha" | "beta" | "gamma" | "delta" | "epsilon" | "eta" | "theta" | "kappa"
+            | "lambda" | "mu" | "nu" | "omega" | "pi" | "rho" | "sigma" | "tau" => {
+                format!("\\{base}")
+            }
+            _ if base.len() > 1 && base.chars().all(|c| c.is_ascii_alphabetic()) => {
+                format!("\\mathrm{{{base}}}")
+            }
+            _ => base.into(),
+        };
+        if exponent.is_empty() { base } else { format!("{base}^{{{exponent}}}") }
+    };
+    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
 fn term(exponents: &Exponents, size: &BigInt, names: &dyn Fn(usize) -> String) -> String {
     let mut factors: Vec<String> = Vec::new();
     if !size.is_one() || exponents.iter().all(|&power| power == 0) {
