@@ -40,7 +40,7 @@ fn agrees(step: &Step, exact: &str, power: usize, phase: f64, name: &str) {
     let compiled = step.compile().unwrap();
     let ordered = |name: &String| values.iter().find(|(known, _)| known == name).unwrap().1;
     let numbers: Vec<f64> = compiled.parameters().iter().map(ordered).collect();
-    let multipliers = compiled.multipliers(&numbers, phase);
+    let multipliers = compiled.multipliers(&numbers, &[phase]);
     let distances = multipliers.iter().map(|z| (z - lambda.exp()).norm());
     let nearest = distances.fold(f64::MAX, f64::min);
     assert!(nearest < 1e-12, "{name}: {nearest:e} from exp({lambda}) in {multipliers:?}");

@@ -104,7 +104,7 @@ impl LongWaves {
     pub fn text(&self, value: &RationalFunction) -> String {
         value.to_text(&|place| match place {
             0 if self.square == Laurent::integer(-1) => "i".into(),
-            0 => format!("sqrt({})", self.names.text(&self.square)),
+            0 => format!("sqrt({})", self.square.to_text(&|place| self.names.name_at(place))),
             1..4 => format!("n_{}", AXES[place - 1]),
             _ => self.names.name_at(place),
         })
@@ -115,7 +115,10 @@ impl LongWaves {
         let name = |place| match place {
             0 if self.square == Laurent::integer(-1) => "i".into(),
             // One word: spaces part words.
-            0 => format!("\\sqrt{{{}}}", latex(&self.names.text(&self.square)).replace(' ', "{}")),
+            0 => format!(
+                "\\sqrt{{{}}}",
+                latex(&self.square.to_text(&|place| self.names.name_at(place))).replace(' ', "{}")
+            ),
             1..4 => format!("n_{}", AXES[place - 1]),
             _ => self.names.name_at(place),
         };

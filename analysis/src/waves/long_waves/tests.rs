@@ -134,7 +134,7 @@ proptest! {
         let series = step.long_waves(None, 10).unwrap();
         let phase = 0.02;
         let lambda = series.evaluate(&[("C", c)], phase);
-        let multipliers = step.compile().unwrap().multipliers(&[c], phase);
+        let multipliers = step.compile().unwrap().multipliers(&[c], &[phase]);
         let distance = multipliers.iter().map(|z| (z.ln() - lambda).norm()).fold(f64::MAX, f64::min);
         prop_assert!(distance < 1e-12, "{} {}", distance, lambda);
     }
