@@ -283,7 +283,7 @@ pub struct LimitsRow {
     pub limit_included: bool,
     /// The phase of a wave whose amplitude grows like the number of steps, where every wave has such a multiplier at every value.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub double_multiplier_phase: Option<f64>,
+    pub double_multiplier_phase: Option<Phases>,
     /// All coefficients non-negative.
     pub monotonicity: Option<LimitRecord>,
     /// All intervals where they are.
@@ -332,7 +332,7 @@ pub struct CheckRecord {
     /// The largest `|z|` over all waves.
     pub max_gain: Option<f64>,
     /// The phase of the wave that grows, or of the one that binds the limit, in radians.
-    pub critical_phase: Option<f64>,
+    pub critical_phase: Option<Phases>,
     /// `max |z| − 1`.
     pub growth_per_step: Option<f64>,
     /// Why it is `null`.
@@ -344,10 +344,10 @@ pub struct CheckRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within_growth: Option<&'static str>,
     /// The phase of a wave whose amplitude grows like a power of the number of steps.
-    pub double_multiplier_phase: Option<f64>,
+    pub double_multiplier_phase: Option<Phases>,
     /// The phase of a wave that nothing pulls back.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub drift_phase: Option<f64>,
+    pub drift_phase: Option<Phases>,
     /// The stability limit.
     pub stability: LimitRecord,
     /// The monotonicity limit.

@@ -1,7 +1,9 @@
 //! `courant check`.
 
-use super::columns::{empty, limit_cells, limit_columns, number, subject_cells, subject_columns};
-use super::limit_text::{describe, length};
+use super::columns::{
+    empty, limit_cells, limit_columns, number, phases, subject_cells, subject_columns,
+};
+use super::limit_text::{describe, wave_and_phase, wave_words};
 use super::limits::{SearchOptions, no_monotonicity};
 use super::numbers::Numbers;
 use super::output::{Format, print, print_json, table_text};
@@ -15,7 +17,7 @@ use courant::analysis::scheme::SchemeError;
 use courant::analysis::stability::verdict::{Check, Verdict, check};
 use courant::analysis::stability::{Limit, PointVerdict, decide_step_at};
 use courant::reports::number::{finite, significant};
-use courant::reports::record::{CheckRecord, LimitRecord};
+use courant::reports::record::{CheckRecord, LimitRecord, Phases};
 use courant::reports::table::{Align, Table};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -130,7 +132,7 @@ fn record(answer: &Answer) -> CheckRecord {
         verdict: found.verdict.name(),
         monotone: found.monotone,
         max_gain: finite(1.0 + found.growth.per_step),
-        critical_phase: found.critical_phase(),
+        critical_phase: found.critical_wave().as_ref().map(Phases::of),
         growth_per_step: finite(found.growth.per_step),
         growth_reason: (!found.growth.per_step.is_finite())
             .then_some("one step makes this wave larger than any number"),
@@ -140,8 +142,8 @@ fn record(answer: &Answer) -> CheckRecord {
             Some(false) => "no",
             None => "undecided",
         }),
-        double_multiplier_phase: found.double_multiplier,
-        drift_phase: found.drift,
+        double_multiplier_phase: found.double_multiplier.as_ref().map(Phases::of),
+        drift_phase: found.drift.as_ref().map(Phases::of),
         stability: limit(&found.stable_set.limit()),
         monotonicity_reason: monotonicity.is_none().then(|| no_monotonicity(&answer.subject)),
         monotonicity,
@@ -200,9 +202,9 @@ fn csv_table(answers: &[Answer]) -> Table {
             record.monotone.map_or_else(String::new, |monotone| monotone.to_string()),
             number(record.max_gain),
             number(record.growth_per_step),
-            number(record.critical_phase),
+            phases(record.critical_phase.as_ref()),
             number(record.steps_to_double),
-            number(record.double_multiplier_phase),
+            phases(record.double_multiplier_phase.as_ref()),
             record.within_growth.unwrap_or_default().into(),
         ]);
         cells.extend(limit_cells(Some(&record.stability)));
@@ -257,11 +259,7 @@ fn rows_table(answers: &[Answer]) -> Table {
             true => significant(to_f64(&answer.value) / limit.value(), 5),
             false => "–".into(),
         };
-        let wave = match found.critical_phase() {
-            Some(0.0) => "long".into(),
-            Some(phase) => format!("{} Δ", length(phase)),
-            None => "–".into(),
-        };
+        let wave = found.critical_wave().as_ref().map_or_else(|| "–".into(), wave_words);
         cells.extend([
             found.verdict.name().into(),
             monotone_word(found.monotone).into(),
@@ -314,11 +312,9 @@ fn table(arguments: &Arguments, answer: &Answer) -> Table {
             add("per kernel deviation, c Δt/σ", significant(deviation, 8));
         }
         add(&format!("{symbol} / limit"), significant(value / limit.value(), 8));
-        if answer.subject.kind == Kind::Method
-            && let Some(binding) = limit.binding()
-        {
-            add("how stability ends", binding.name());
-        }
+    }
+    if let Some(reason) = super::limit_text::reason(&limit) {
+        add("why", reason);
     }
     if let Some(set) = &found.monotone_set {
         add("monotonicity limit", describe(&set.limit(), symbol, None));
@@ -327,19 +323,19 @@ fn table(arguments: &Arguments, answer: &Answer) -> Table {
     add("growth per step", significant(found.growth.per_step, 6));
     if let Some(steps) = found.steps_to_double {
         add("steps to double", significant(steps, 4));
-        let phase = found.growth.phase;
-        let wave = match phase > 0.0 {
-            true => format!("{} Δ (φ = {} rad)", length(phase), significant(phase, 5)),
-            false => "the mean itself (φ = 0)".into(),
+        let wave = &found.growth.wave;
+        let wave = match wave.phases().iter().all(|phase| *phase == 0.0) {
+            true => "the mean itself (φ = 0)".into(),
+            false => wave_and_phase(wave),
         };
         add("fastest growing wave", wave);
     }
-    if let Some(phase) = found.double_multiplier {
-        let wave = format!("{} Δ (φ = {} rad)", length(phase), significant(phase, 5));
+    if let Some(wave) = &found.double_multiplier {
+        let wave = wave_and_phase(wave);
         add("double multiplier", format!("{wave}: its amplitude grows like the number of steps"));
     }
-    if let Some(phase) = found.drift {
-        let wave = format!("{} Δ (φ = {} rad)", length(phase), significant(phase, 5));
+    if let Some(wave) = &found.drift {
+        let wave = wave_and_phase(wave);
         add(
             "nothing pulls back",
             format!("{wave}: a disturbance drifts in proportion to the steps"),

@@ -1,6 +1,6 @@
 //! Columns for machines: the same for the same concept in every command. ASCII headings, all digits, empty where there is nothing.
 
-use courant::reports::record::{LimitRecord, SubjectRecord};
+use courant::reports::record::{LimitRecord, Phases, SubjectRecord};
 use courant::reports::table::{Align, Table};
 
 /// The columns that name a subject.
@@ -74,7 +74,7 @@ pub fn limit_cells(limit: Option<&LimitRecord>) -> Vec<String> {
         text(&limit.exact),
         limit.equation.as_ref().map(|equation| equation.text.clone()).unwrap_or_default(),
         limit.evidence.into(),
-        limit.critical_phase.as_ref().map_or_else(String::new, ToString::to_string),
+        phases(limit.critical_phase.as_ref()),
         limit.cause.unwrap_or_default().into(),
         text(&limit.binding),
         limit.included.to_string(),
@@ -85,6 +85,11 @@ pub fn limit_cells(limit: Option<&LimitRecord>) -> Vec<String> {
 /// A number with all its digits, empty where there is none.
 pub fn number(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
+}
+
+/// The phases of a wave, joined by `;`.
+pub fn phases(phases: Option<&Phases>) -> String {
+    phases.map_or_else(String::new, ToString::to_string)
 }
 
 /// A table with these columns and no caption.

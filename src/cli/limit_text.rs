@@ -1,7 +1,7 @@
 //! Limits as people read them.
 
 use courant::analysis::exact::rational::{decimal_below, from_f64};
-use courant::analysis::stability::{Evidence, Limit, StableSet, Wave};
+use courant::analysis::stability::{Cause, Condition, Evidence, Limit, StableSet, Wave};
 use courant::reports::number::significant;
 use courant::reports::record::{direction_of, exact_latex};
 use courant::reports::table::Cell;
@@ -125,6 +125,52 @@ fn offset(offset: &[i64]) -> String {
         [k] => k.to_string(),
         all => format!("({})", all.iter().map(i64::to_string).collect::<Vec<_>>().join(", ")),
     }
+}
+
+/// A wave by its length in spacings and its direction: `4.2 Δ along the diagonal`.
+pub fn wave_words(wave: &Wave) -> String {
+    let direction = direction(wave).map_or_else(String::new, |text| format!(" {text}"));
+    match wave.phases().iter().all(|phase| *phase == 0.0) {
+        true => format!("long{direction}"),
+        false => format!("{} Δ{direction}", wavelength(wave)),
+    }
+}
+
+/// The same with its phases.
+pub fn wave_and_phase(wave: &Wave) -> String {
+    let phases: Vec<String> = wave.phases().iter().map(|phase| significant(*phase, 5)).collect();
+    let phases = match phases.as_slice() {
+        [phase] => phase.clone(),
+        all => format!("({})", all.join(", ")),
+    };
+    format!("{} (φ = {phases} rad)", wave_words(wave))
+}
+
+/// Why stability ends where it does, in one sentence; `None` where no wave is known to end it.
+pub fn reason(limit: &Limit) -> Option<String> {
+    let (binding, wave) = (limit.binding()?, limit.critical_wave()?);
+    let does =
+        if limit.is_positive() { ["bind", "binds"] } else { ["grow at once", "grows at once"] };
+    let who = match (limit.cause()?, direction(wave)) {
+        (Cause::LongWave, None) => format!("long waves {}", does[0]),
+        (Cause::LongWave, Some(direction)) => format!("long waves {direction} {}", does[0]),
+        _ => format!("the wave of {} {}", wave_words(wave), does[1]),
+    };
+    let how = match binding.condition {
+        _ if binding.whatever_the_step => "is unstable whatever the step".into(),
+        Condition::PlusOne => "a multiplier passes +1".into(),
+        Condition::MinusOne => "a multiplier passes −1".into(),
+        Condition::Inner(_) if binding.on_circle => {
+            "two multipliers meet on the unit circle".into()
+        }
+        Condition::Inner(_) => "a pair of multipliers leaves the unit circle".into(),
+        Condition::Minor(1) if !binding.on_circle => "|z| passes 1".into(),
+        Condition::Minor(_) if binding.on_circle => {
+            "two multipliers meet on the unit circle".into()
+        }
+        Condition::Minor(size) => format!("|z| passes 1, Schur–Cohn minor {size}"),
+    };
+    Some(format!("{who}: {how}"))
 }
 
 /// All values of a set: `{0} ∪ [1, ∞)`.

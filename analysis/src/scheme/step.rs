@@ -147,11 +147,6 @@ impl Step {
         self.dimension
     }
 
-    /// For what is decided in one dimension only.
-    pub(crate) fn one_dimension(&self) -> Result<(), SchemeError> {
-        if self.dimension == 1 { Ok(()) } else { Err(SchemeError::Dimension(self.dimension)) }
-    }
-
     /// The names of the unknowns.
     pub fn unknowns(&self) -> &[String] {
         &self.unknowns

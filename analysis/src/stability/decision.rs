@@ -145,13 +145,12 @@ impl Step {
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
         if set.immediately_unstable.is_some()
             && !one
-            && self.dimension == 1
             && let [parameter] = &self.free_parameters()[..]
         {
             let small = Rational::new(BigInt::one(), BigInt::from(SMALL));
             let growth = growth_at(&self.with(parameter, &small)?)?;
             if growth.per_step > 0.0 {
-                set.immediately_unstable = Some(Wave::along_a_line(growth.phase));
+                set.immediately_unstable = Some(growth.wave);
             }
         }
         // 0 itself is a stable value where stability begins there; else it is decided like any other.
@@ -164,11 +163,7 @@ impl Step {
                 _ => false,
             };
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
-        if plan.growth.is_zero() && self.dimension == 1 {
-            set.with_ends(self, parameter)
-        } else {
-            Ok(set)
-        }
+        if plan.growth.is_zero() { set.with_ends(self, parameter) } else { Ok(set) }
     }
 
     /// The conditions for `|z| ≤ 1 + growth` as polynomials in the wave and one parameter.

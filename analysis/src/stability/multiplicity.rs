@@ -3,12 +3,14 @@
 use super::StableSet;
 use super::at_value::zeros_of;
 use super::inequality::symmetric;
+use super::wave::Wave;
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::laurent::{Laurent, Variable, greatest_common_divisor};
 use crate::exact::matrix::Matrix;
 use crate::exact::rational::{Rational, from_f64, integer, ratio};
 use crate::scheme::{Letter, SchemeError, Step};
 use crate::waves::precise::{Place, PreciseStep};
+use crate::waves::torus_growth::place;
 use crate::waves::wave_terms::{difference_terms, primitive_characteristic};
 use num_bigint::BigInt;
 use num_complex::Complex64;
@@ -38,10 +40,10 @@ struct Tolerance {
 const MOST_DEGREE: usize = 4;
 
 /// A multiplier on the unit circle that is multiple, and has fewer eigenvectors than that.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MultipleMultiplier {
-    /// The phase of the wave, in radians.
-    pub phase: f64,
+    /// The wave.
+    pub wave: Wave,
     /// The multiplier.
     pub multiplier: Complex64,
     /// How often it is a root.
@@ -54,7 +56,7 @@ pub struct MultipleMultiplier {
 }
 
 /// The waves with such multipliers.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Multiplicity {
     /// One whose amplitude grows like a power of the number of steps.
     pub growing: Option<MultipleMultiplier>,
@@ -72,36 +74,50 @@ pub struct Multiplicity {
 /// let found = multiplicity_at(&leapfrog.with("C", &integer(1))?)?.growing.unwrap();
 /// assert_eq!((found.multiplicity, found.eigenvectors), (2, 1));
 /// // −i at a quarter of the circle.
-/// assert!((found.phase - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && (found.multiplier.im + 1.0).abs() < 1e-15);
+/// assert!((found.wave.phases()[0] - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && (found.multiplier.im + 1.0).abs() < 1e-15);
 /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
 ///
 /// # Errors
-/// When a parameter has no value, or in more than one space dimension.
+/// When a parameter has no value.
 pub fn multiplicity_at(step: &Step) -> Result<Multiplicity, SchemeError> {
+    multiplicity_among(step, None)
+}
+
+/// [`multiplicity_at`], with one more wave that is looked at in two and three dimensions, where the waves whose multipliers meet are not
+/// isolated: phases that are multiples of π/2 are looked at there, and this one.
+pub(crate) fn multiplicity_among(
+    step: &Step,
+    wave: Option<&Wave>,
+) -> Result<Multiplicity, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
-    step.one_dimension()?;
     let chi = primitive_characteristic(step)?;
     let terms = difference_terms(&chi);
     let chi = chi.coefficients(Variable::TIME);
     if chi.len() < 3 {
         return Ok(Multiplicity::default());
     }
-    let (waves, all_waves) = meeting_waves(step, &chi);
-    let matrix = step.reduced();
     let precise = PreciseStep::new(step, &terms, BITS);
+    let (places, all_waves) = match step.dimension() {
+        1 => {
+            let (waves, all) = meeting_waves(step, &chi);
+            (waves.iter().map(|s| precise.place(s, &Rational::zero(), 0.0)).collect(), all)
+        }
+        dimension => (places_on_torus(&precise, dimension, wave), false),
+    };
+    let matrix = step.reduced();
     let (mut result, mut longest_drifts) = (Multiplicity::default(), false);
-    for s in waves {
-        let place = precise.place(&s, &Rational::zero(), 0.0);
+    for place in places {
+        let longest = place.0.iter().all(|axis| axis.s.is_zero());
         for found in multiple_at(step, &matrix, &precise, &place, EXACT) {
             let found = MultipleMultiplier { all_waves, ..found };
             let is_one = (found.multiplier - 1.0).norm() < 1e-15;
-            match (is_one, s.is_zero()) {
-                (false, _) => result.growing = result.growing.or(Some(found)),
-                (true, false) => result.drift = result.drift.or(Some(found)),
+            match (is_one, longest) {
+                (false, _) => _ = result.growing.get_or_insert(found),
+                (true, false) => _ = result.drift.get_or_insert(found),
                 (true, true) => longest_drifts = true,
             }
         }
@@ -123,7 +139,7 @@ impl Step {
     /// let driven = Step::from_text("u[n+1,j] = u[n,j]; v[n+1,j] = v[n,j] + C*(u[n,j] - u[n,j-1])")?;
     /// let set = driven.stable_set("C", &Default::default())?;
     /// let found = driven.multiple_on_every_wave("C", &set)?.unwrap();
-    /// assert_eq!((found.phase, found.multiplicity, found.eigenvectors), (std::f64::consts::PI, 2, 1));
+    /// assert_eq!((found.wave.phase(), found.multiplicity, found.eigenvectors), (Some(std::f64::consts::PI), 2, 1));
     /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
     /// ```
     ///
@@ -146,7 +162,7 @@ impl Step {
         let step = step.expanded().unwrap_or(step);
         let precise =
             PreciseStep::new(&step, &difference_terms(&primitive_characteristic(&step)?), BITS);
-        let place = precise.place(&ratio(1, 3), &Rational::zero(), 0.0);
+        let place = any_place(&precise, step.dimension());
         if multiple_at(&step, &step.reduced(), &precise, &place, EXACT).is_empty() {
             return Ok(None);
         }
@@ -157,6 +173,23 @@ impl Step {
             false => Ok(None),
         }
     }
+}
+
+/// No particular wave.
+fn any_place(precise: &PreciseStep, dimension: usize) -> Place {
+    let phase = |axis: usize| (ratio(1, 3 + 2 * axis as i64), false);
+    precise.place_on_torus(&(0..dimension).map(phase).collect::<Vec<_>>())
+}
+
+/// Waves whose phases are multiples of π/2, one of no particular phases, and one more.
+fn places_on_torus(precise: &PreciseStep, dimension: usize, wave: Option<&Wave>) -> Vec<Place> {
+    let phase = |quarter: usize| (ratio([0, 1, 2, 1][quarter], 2), quarter == 3);
+    let at = |number: usize| -> Vec<(Rational, bool)> {
+        (0..dimension).map(|axis| phase(number >> (2 * axis) & 3)).collect()
+    };
+    let quarters = (0..1usize << (2 * dimension)).map(|number| precise.place_on_torus(&at(number)));
+    let given = wave.map(|wave| place(precise, wave.phases()));
+    quarters.chain([any_place(precise, dimension)]).chain(given).collect()
 }
 
 /// The waves for which two multipliers may be equal, and whether these are all.
@@ -265,7 +298,7 @@ fn multiple_at(
         let eigenvectors = nullity(step, matrix, precise, place, &z, tolerance.nothing);
         if eigenvectors < multiplicity {
             found.push(MultipleMultiplier {
-                phase: place.0[0].phase(),
+                wave: Wave::new(place.phases()),
                 multiplier: z.to_c64(),
                 multiplicity,
                 eigenvectors,

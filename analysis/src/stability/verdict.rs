@@ -2,8 +2,8 @@
 
 use super::at_value::DemandsAt;
 use super::decision::LEAST_BUDGET;
-use super::multiplicity::multiplicity_at;
-use super::{Evidence, Limit, PointVerdict, SearchPlan, StableSet};
+use super::multiplicity::multiplicity_among;
+use super::{Evidence, Limit, PointVerdict, SearchPlan, StableSet, Wave};
 use crate::exact::rational::{Rational, from_f64, integer};
 use crate::scheme::{SchemeError, Step};
 use crate::waves::Growth;
@@ -59,12 +59,12 @@ pub struct Check {
     pub growth: Growth,
     /// Steps until the amplitude of a growing wave has doubled; `None` when none is known to grow.
     pub steps_to_double: Option<f64>,
-    /// The phase of a wave whose amplitude grows like a power of the number of steps: a multiple multiplier on the unit circle with too
+    /// A wave whose amplitude grows like a power of the number of steps: a multiple multiplier on the unit circle with too
     /// few eigenvectors.
-    pub double_multiplier: Option<f64>,
-    /// The phase of a shorter wave than the longest that drifts: the multiplier 1 is multiple with too few eigenvectors, nothing pulls
+    pub double_multiplier: Option<Wave>,
+    /// A shorter wave than the longest that drifts: the multiplier 1 is multiple with too few eigenvectors, nothing pulls
     /// a displacement back.
-    pub drift: Option<f64>,
+    pub drift: Option<Wave>,
     /// All stable values.
     pub stable_set: StableSet,
     /// All monotone values; `None` when the question is not for this scheme.
@@ -72,12 +72,12 @@ pub struct Check {
 }
 
 impl Check {
-    /// The phase of the wave that grows, or that binds the limit when none grows.
-    pub fn critical_phase(&self) -> Option<f64> {
+    /// The wave that grows, or that binds the limit when none grows.
+    pub fn critical_wave(&self) -> Option<Wave> {
         if self.verdict.is_stable() {
-            self.stable_set.limit().critical_phase()
+            self.stable_set.limit().critical_wave().cloned()
         } else {
-            Some(self.growth.phase)
+            Some(self.growth.wave.clone())
         }
     }
 }
@@ -93,7 +93,8 @@ impl Check {
 /// assert_eq!(at("0.9")?.verdict, Verdict::Stable);
 /// // At the limit u_j^n = n i^{−n−j} is a solution.
 /// let limit = at("1")?;
-/// assert_eq!((limit.verdict, limit.double_multiplier), (Verdict::Marginal, Some(std::f64::consts::FRAC_PI_2)));
+/// let double = limit.double_multiplier.unwrap();
+/// assert_eq!((limit.verdict, double.phase()), (Verdict::Marginal, Some(std::f64::consts::FRAC_PI_2)));
 /// assert_eq!(at("1.00000000000000000001")?.verdict, Verdict::WeaklyUnstable);
 /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
@@ -122,15 +123,19 @@ pub fn check(
         Some(demands) => demands,
         None => DemandsAt::new(&at_value.inequalities_in(None, &Rational::zero())?),
     };
-    let growth = growth_under(&at_value, &demands)?;
     let decided = if plan.budget < LEAST_BUDGET && !stable_set.undecided.is_empty() {
         // No boxes would be needed, but whoever allows so few wants little work, and no more said of a value than of the set.
         PointVerdict::Undecided
     } else {
         demands.decide()
     };
+    let witness = match &decided {
+        PointVerdict::Unstable(wave) => Some(wave),
+        _ => None,
+    };
+    let growth = growth_under(&at_value, &demands, witness)?;
     let multiplicity = match decided {
-        PointVerdict::Stable => multiplicity_at(&at_value)?,
+        PointVerdict::Stable => multiplicity_among(&at_value, stable_set.limit().critical_wave())?,
         _ => Default::default(),
     };
     let verdict = match decided {
@@ -148,10 +153,10 @@ pub fn check(
     Ok(Check {
         verdict,
         monotone: is_monotone(step, parameter, value),
+        steps_to_double: growth.steps_to_double().filter(|_| grows),
         growth,
-        steps_to_double: if grows { growth.steps_to_double() } else { None },
-        double_multiplier: multiplicity.growing.map(|found| found.phase),
-        drift: multiplicity.drift.map(|found| found.phase),
+        double_multiplier: multiplicity.growing.map(|found| found.wave),
+        drift: multiplicity.drift.map(|found| found.wave),
         stable_set,
         monotone_set,
     })

@@ -11,6 +11,7 @@ pub(crate) mod precise;
 mod roots;
 pub mod step_growth;
 pub mod sweep;
+pub(crate) mod torus_growth;
 pub(crate) mod wave_terms;
 
 pub use multipliers::{CompiledStep, WavePolynomial};

@@ -27,6 +27,13 @@ pub(crate) struct AxisPlace {
     pub(crate) backward: bool,
 }
 
+impl Place {
+    /// The phases in radians.
+    pub(crate) fn phases(&self) -> Vec<f64> {
+        self.0.iter().map(AxisPlace::phase).collect()
+    }
+}
+
 impl AxisPlace {
     /// The phase in radians, from −π to π.
     pub(crate) fn phase(&self) -> f64 {
@@ -128,6 +135,16 @@ impl PreciseStep {
             complement: self.cut(&self.fraction(&(Rational::one() - anchor)) - &moved),
             backward: false,
         }])
+    }
+
+    /// A wave by `sin²(φ/2)` of each of its phases, and whether `sin φ` is negative.
+    pub(crate) fn place_on_torus(&self, phases: &[(Rational, bool)]) -> Place {
+        let axis = |(s, backward): &(Rational, bool)| AxisPlace {
+            s: Float::fraction(s, self.bits),
+            complement: Float::fraction(&(Rational::one() - s), self.bits),
+            backward: *backward,
+        };
+        Place(phases.iter().map(axis).collect())
     }
 
     fn fraction(&self, value: &Rational) -> Float {

@@ -3,13 +3,14 @@
 use super::bands::{Cell, cells};
 use super::multipliers::CompiledStep;
 use super::precise::{Place, PreciseStep};
+use super::torus_growth::growth_on_torus;
 use super::wave_terms::{difference_terms, primitive_characteristic};
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::{Rational, integer, to_f64};
 use crate::scheme::{SchemeError, Step};
 use crate::stability::at_value::{DemandAt, DemandsAt, zeros_of};
-use crate::stability::{phase_of, symmetric};
+use crate::stability::{PointVerdict, Wave, phase_of, symmetric};
 use num_complex::Complex64;
 use num_traits::{One, Zero};
 use std::f64::consts::{LN_2, PI};
@@ -18,7 +19,7 @@ use std::f64::consts::{LN_2, PI};
 const BITS: u32 = 256;
 
 /// The most that is tried: growth below `2^−4000` is not told from none.
-const MOST_BITS: u32 = 1 << 13;
+pub(super) const MOST_BITS: u32 = 1 << 13;
 
 /// Two precisions agree on the growth to this.
 const AGREEMENT: f64 = 1e-13;
@@ -51,14 +52,14 @@ const FINE: f64 = 1e-8;
 const SUFFICIENT: f64 = 1e-7;
 
 /// The wave that grows fastest; where none grows, the one that is damped least.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Growth {
     /// `|z| − 1`. Infinite where it does not fit, or where the step cannot be solved for the wave.
     pub per_step: f64,
     /// `log |z|`, which fits where `|z|` does not. Infinite only where the step cannot be solved.
     pub logarithm: f64,
-    /// The wave's phase, in radians.
-    pub phase: f64,
+    /// The wave.
+    pub wave: Wave,
     /// The multiplier `z`.
     pub multiplier: Complex64,
 }
@@ -70,8 +71,14 @@ impl Growth {
     }
 
     /// A wave that neither grows nor decays.
-    fn neutral(phase: f64, multiplier: Complex64) -> Self {
-        Self { per_step: 0.0, logarithm: 0.0, phase, multiplier }
+    pub(super) fn neutral(wave: Wave, multiplier: Complex64) -> Self {
+        Self { per_step: 0.0, logarithm: 0.0, wave, multiplier }
+    }
+
+    /// A wave for which the step cannot be solved.
+    pub(super) fn singular(wave: Wave) -> Self {
+        let multiplier = Complex64::new(f64::INFINITY, 0.0);
+        Self { per_step: f64::INFINITY, logarithm: f64::INFINITY, wave, multiplier }
     }
 }
 
@@ -96,18 +103,28 @@ pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
         return Err(SchemeError::NotSet(open));
     }
     let step = step.expanded().unwrap_or_else(|| step.clone());
-    growth_under(&step, &DemandsAt::new(&step.inequalities_in(None, &Rational::zero())?))
+    let demands = DemandsAt::new(&step.inequalities_in(None, &Rational::zero())?);
+    let witness = match demands.decide() {
+        PointVerdict::Unstable(wave) => Some(wave),
+        _ => None,
+    };
+    growth_under(&step, &demands, witness.as_ref())
 }
 
-/// [`growth_at`] with the conditions known.
-pub(crate) fn growth_under(step: &Step, demands: &DemandsAt) -> Result<Growth, SchemeError> {
-    step.one_dimension()?;
+/// [`growth_at`] with the conditions known, and a wave that was proved to grow if one was.
+pub(crate) fn growth_under(
+    step: &Step,
+    demands: &DemandsAt,
+    witness: Option<&Wave>,
+) -> Result<Growth, SchemeError> {
+    if step.dimension() > 1 {
+        return growth_on_torus(step, witness);
+    }
     let chi = primitive_characteristic(step)?;
     let terms = difference_terms(&chi);
     let chi = chi.coefficients(Variable::TIME);
     if let Some(phase) = singular_wave(step, &chi) {
-        let multiplier = Complex64::new(f64::INFINITY, 0.0);
-        return Ok(Growth { per_step: f64::INFINITY, logarithm: f64::INFINITY, phase, multiplier });
+        return Ok(Growth::singular(Wave::along_a_line(phase)));
     }
     let whole = |grows| vec![Cell { from: integer(0), to: integer(1), grows }];
     let cells = match demands {
@@ -138,7 +155,7 @@ pub(crate) fn growth_under(step: &Step, demands: &DemandsAt) -> Result<Growth, S
             return Ok(neutral);
         }
         let Some((spot, largest)) = search.largest(&halves) else {
-            return Ok(Growth::neutral(0.0, Complex64::ONE));
+            return Ok(Growth::neutral(Wave::along_a_line(0.0), Complex64::ONE));
         };
         let finer = PreciseStep::new(step, &terms, 2 * bits);
         let again = finer.largest(&spot.place(&finer));
@@ -147,14 +164,15 @@ pub(crate) fn growth_under(step: &Step, demands: &DemandsAt) -> Result<Growth, S
             difference.ln() - again.0.ln()
         });
         if error < AGREEMENT.ln() && (!grows || !largest.0.is_negative()) || bits >= MOST_BITS {
-            return Ok(growth_of(&spot.place(&finer), &largest));
+            let phase = spot.place(&finer).0[0].phase();
+            return Ok(growth_of(Wave::along_a_line(phase), &largest));
         }
         bits *= 2;
     }
 }
 
 /// From `|z|² − 1` and `z − 1`.
-fn growth_of(place: &Place, (excess, y): &(Float, ComplexFloat)) -> Growth {
+pub(super) fn growth_of(wave: Wave, (excess, y): &(Float, ComplexFloat)) -> Growth {
     let bits = excess.bits();
     let one = Float::integer(&1.into(), bits);
     let modulus = (&one + excess).sqrt();
@@ -163,7 +181,7 @@ fn growth_of(place: &Place, (excess, y): &(Float, ComplexFloat)) -> Growth {
     let per_step = growth.to_f64();
     let logarithm = if per_step.abs() < 0.5 { per_step.ln_1p() } else { modulus.ln() };
     let multiplier = (y + &ComplexFloat::real(one)).to_c64();
-    Growth { per_step, logarithm, phase: place.0[0].phase(), multiplier }
+    Growth { per_step, logarithm, wave, multiplier }
 }
 
 /// A wave for which the leading coefficient vanishes.
@@ -257,7 +275,8 @@ impl Search<'_> {
             let (excess, y) = self.precise.largest(&place)?;
             let noise = -i64::from(self.precise.bits()) / 2;
             if excess.magnitude().is_none_or(|magnitude| magnitude < noise) {
-                return Some(Growth::neutral(phase, y.to_c64() + 1.0));
+                let wave = Wave::along_a_line(phase);
+                return Some(Growth::neutral(wave, y.to_c64() + 1.0));
             }
         }
         None

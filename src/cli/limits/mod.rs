@@ -12,12 +12,13 @@ use clap::Args;
 use courant::analysis::certificate::{self, Certificate, certify_monotonicity, certify_stability};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::stability::{
-    DEFAULT_BITS, Limit, SearchPlan, SingularStep, StableSet, sampled_stability_limit,
+    DEFAULT_BITS, Limit, SearchPlan, SingularStep, StableSet, Wave, sampled_stability_limit,
 };
 use courant::reports::certificate_file;
 use courant::reports::number::finite;
 use courant::reports::record::{
-    GrowthRecord, IntervalRecord, LimitRecord, LimitsRow, SingularRecord, intervals, undecided,
+    GrowthRecord, IntervalRecord, LimitRecord, LimitsRow, Phases, SingularRecord, intervals,
+    undecided,
 };
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -80,7 +81,7 @@ struct Answer {
     growth: Vec<(Rational, Limit)>,
     singular: Vec<SingularStep>,
     /// The phase of a wave that grows like the number of steps, as all do at every value.
-    double_multiplier: Option<f64>,
+    double_multiplier: Option<Wave>,
     keeps_constants: bool,
 }
 
@@ -145,7 +146,7 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
         monotonicity: monotone_set.as_ref().map(StableSet::limit),
         monotone_set,
         growth: growth.collect::<Result<_, Failure>>()?,
-        double_multiplier: double.map(|found| found.phase),
+        double_multiplier: double.map(|found| found.wave),
         singular: step.singular_steps(parameter, &plan).map_err(failed)?,
         keeps_constants: step.keeps_constants().map_err(failed)?,
         sought,
@@ -238,7 +239,7 @@ fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
         per_standard_deviation: units.and_then(|(_, deviation)| finite(deviation)),
         binding: limit.binding().map(|binding| binding.name()),
         limit_included: limit.is_included(),
-        double_multiplier_phase: answer.double_multiplier,
+        double_multiplier_phase: answer.double_multiplier.as_ref().map(Phases::of),
         monotonicity: answer.monotonicity.as_ref().map(record),
         monotone_set: answer.monotone_set.as_ref().map(|set| intervals(set, symbol)),
         monotonicity_reason: match answer.monotonicity {

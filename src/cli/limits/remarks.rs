@@ -80,14 +80,19 @@ pub(super) fn remarks(
         {
             add(format!("the monotone limit {text}"));
         }
+        if answers.len() == 1
+            && let Some(reason) = limit_text::reason(limit)
+        {
+            add(reason);
+        }
         if let (Some(binding), true) = (limit.binding(), limit.upper().is_finite()) {
             if binding.whatever_the_step {
                 add("some wave is unstable whatever the step: its restoring force has the wrong sign".into());
             } else if !limit.is_included() && limit.is_positive() && decided {
                 // Named where there is one row to name it for.
-                let wave = match limit.critical_phase() {
-                    Some(phase) if phase > 0.0 && answers.len() == 1 => {
-                        format!("the wave of {} Δ", limit_text::length(phase))
+                let wave = match limit.critical_wave() {
+                    Some(wave) if wave.wavelength().is_finite() && answers.len() == 1 => {
+                        format!("the wave of {}", limit_text::wave_words(wave))
                     }
                     _ => "the wave that binds".into(),
                 };
@@ -96,10 +101,10 @@ pub(super) fn remarks(
                 ));
             }
         }
-        if let Some(phase) = answer.double_multiplier {
-            let wave = limit_text::length(phase);
+        if let Some(wave) = &answer.double_multiplier {
+            let wave = limit_text::wave_words(wave);
             add(format!(
-                "marginal at best: two multipliers of every wave but the longest are equal on the unit circle at every {symbol}, that of {wave} Δ \
+                "marginal at best: two multipliers of every wave but the longest are equal on the unit circle at every {symbol}, that of {wave} \
                  among them: its amplitude grows like the number of steps"
             ));
         }

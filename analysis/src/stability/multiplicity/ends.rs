@@ -1,13 +1,13 @@
 //! Whether an end of a stable set is stable itself: no multiplier on the circle there lacks eigenvectors.
 
-use super::{BITS, MultipleMultiplier, Tolerance, multiple_at, multiplicity_at};
+use super::{BITS, MultipleMultiplier, Tolerance, multiple_at, multiplicity_among};
 use crate::exact::laurent::Variable;
 use crate::exact::rational::{Rational, from_f64};
 use crate::scheme::{SchemeError, Step};
-use crate::stability::{Evidence, Limit, StableSet, phase_parameter};
+use crate::stability::{Evidence, Limit, StableSet};
 use crate::waves::precise::PreciseStep;
+use crate::waves::torus_growth::place;
 use crate::waves::wave_terms::{difference_terms, primitive_characteristic};
-use num_traits::Zero;
 
 /// An end that is no fraction and its wave are known to an `f64`: multipliers that meet there are apart by the root of a rounding.
 const NEAR: Tolerance = Tolerance { close: -16, nothing: -16 };
@@ -45,15 +45,15 @@ fn is_stable(step: &Step, parameter: &str, end: &Limit) -> Result<bool, SchemeEr
         Ok(step.expanded().unwrap_or(step))
     };
     if let Some(value) = end.exact().and_then(|exact| exact.as_fraction()) {
-        return Ok(multiplicity_at(&at(value)?)?.growing.is_none());
+        return Ok(multiplicity_among(&at(value)?, end.critical_wave())?.growing.is_none());
     }
-    let (Some(value), Some(phase)) = (from_f64(end.value()), end.critical_phase()) else {
+    let (Some(value), Some(wave)) = (from_f64(end.value()), end.critical_wave()) else {
         return Ok(true);
     };
     let step = at(&value)?;
     let precise =
         PreciseStep::new(&step, &difference_terms(&primitive_characteristic(&step)?), BITS);
-    let place = precise.place(&phase_parameter(phase), &Rational::zero(), 0.0);
+    let place = place(&precise, wave.phases());
     let found = multiple_at(&step, &step.reduced(), &precise, &place, NEAR);
     let is_drift = |found: &MultipleMultiplier| (found.multiplier - 1.0).norm() < 1e-3;
     Ok(found.iter().all(is_drift))

@@ -19,7 +19,7 @@ fn the_drift_of_the_longest_wave_is_not_named() {
     // At C = 1 the shortest wave has −1 twice.
     let edge = at(wave, &[("C", "1")]).growing.unwrap();
     assert_eq!((edge.multiplicity, edge.eigenvectors, edge.all_waves), (2, 1, true));
-    assert_eq!(edge.phase, std::f64::consts::PI);
+    assert_eq!(edge.wave.phases()[0], std::f64::consts::PI);
     assert!((edge.multiplier + 1.0).norm() < 1e-15);
 }
 
@@ -29,7 +29,10 @@ fn a_drift_that_the_longest_wave_has_not_is_growth() {
     let driven = "u[n+1,j] = u[n,j]; v[n+1,j] = v[n,j] + C*(u[n,j] - u[n,j-1])";
     let found = at(driven, &[("C", "1/2")]);
     let growing = found.growing.unwrap();
-    assert_eq!((growing.phase, growing.multiplicity, found.drift), (std::f64::consts::PI, 2, None));
+    assert_eq!(
+        (growing.wave.phases()[0], growing.multiplicity, found.drift),
+        (std::f64::consts::PI, 2, None)
+    );
     // Free particles drift as their equation says, the longest wave as well.
     let free = at("x[n+1,j] = x[n,j] + C*v[n,j]; v[n+1,j] = v[n,j]", &[("C", "1/2")]);
     assert!(free.growing.is_none() && free.drift.is_some());
@@ -37,7 +40,7 @@ fn a_drift_that_the_longest_wave_has_not_is_growth() {
     let every = |text: &str| {
         let step = Step::from_text(text).unwrap();
         let set = step.stable_set("C", &Default::default()).unwrap();
-        step.multiple_on_every_wave("C", &set).unwrap().map(|found| found.phase)
+        step.multiple_on_every_wave("C", &set).unwrap().map(|found| found.wave.phases()[0])
     };
     let beside = format!("{driven}; w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1])");
     assert_eq!(every(&beside), Some(std::f64::consts::PI));
@@ -55,12 +58,16 @@ fn equal_multipliers_with_as_many_eigenvectors_do_no_harm() {
     let driven = "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]); \
                   w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1]) + u[n,j]/10";
     let found = at(driven, &[("C", "1")]);
-    assert_eq!((found.growing.unwrap().multiplicity, found.growing.unwrap().eigenvectors), (2, 1));
+    let growing = found.growing.unwrap();
+    assert_eq!((growing.multiplicity, growing.eigenvectors), (2, 1));
     // Below only the longest wave, whose multiplier is 1.
     assert_eq!(at(driven, &[("C", "1/2")]), Multiplicity::default());
     // At rest both pressure and velocity keep any value; at the limit they do not.
     assert_eq!(at(STAGGERED, &[("C", "1/2")]), Multiplicity::default());
-    assert_eq!(at(STAGGERED, &[("C", "1")]).growing.unwrap().phase, std::f64::consts::PI);
+    assert_eq!(
+        at(STAGGERED, &[("C", "1")]).growing.unwrap().wave.phases()[0],
+        std::f64::consts::PI
+    );
 }
 
 #[test]
@@ -69,7 +76,7 @@ fn a_wave_that_nothing_pulls_back_drifts() {
     let pairs = "u[n+1,j] = 2*u[n,j] - u[n-1,j] + C^2*(u[n,j+2] - 2*u[n,j] + u[n,j-2])";
     let found = at(pairs, &[("C", "1/2")]);
     assert_eq!(found.growing, None);
-    assert_eq!(found.drift.unwrap().phase, std::f64::consts::PI);
+    assert_eq!(found.drift.unwrap().wave.phases()[0], std::f64::consts::PI);
 }
 
 #[test]
@@ -79,9 +86,9 @@ fn waves_that_meet_at_no_fraction_of_the_circle() {
     // Not the limit itself, which is no fraction: nothing meets below it, and above it two waves do.
     assert_eq!(at(text, &[("C", "0.7287")]).growing, None);
     let above = at(text, &[("C", "0.73")]).growing.unwrap();
-    let s = (0.5 * above.phase).sin().powi(2);
+    let s = (0.5 * above.wave.phases()[0]).sin().powi(2);
     let cosine = 1.0 - 2.0 * s;
-    let value = 0.73 * above.phase.sin() * (4.0 - cosine) / 3.0;
+    let value = 0.73 * above.wave.phases()[0].sin() * (4.0 - cosine) / 3.0;
     assert!((value - 1.0).abs() < 1e-12, "{value}");
 }
 

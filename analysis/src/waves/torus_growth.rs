@@ -1,0 +1,169 @@
+//! How fast the fastest wave grows in one step, in two and three dimensions.
+
+use super::multipliers::CompiledStep;
+use super::precise::{Place, PreciseStep};
+use super::step_growth::{Growth, MOST_BITS, growth_of};
+use super::wave_terms::{difference_terms, primitive_characteristic};
+use crate::exact::float::{ComplexFloat, Float};
+use crate::exact::rational::{Rational, from_f64, integer};
+use crate::scheme::{SchemeError, Step};
+use crate::stability::Wave;
+use std::f64::consts::{PI, TAU};
+
+/// Samples along an axis for each order of a cosine; at least and at most, by dimension.
+const SAMPLES: usize = 6;
+const FEWEST: [usize; 3] = [64, 32, 16];
+const MOST: [usize; 3] = [512, 96, 24];
+
+/// Sampled maxima that are refined.
+const CANDIDATES: usize = 6;
+
+/// Steps of the refinement end at this share of the first one: the value is then wrong by the square of it.
+const FINE: f64 = 1e-7;
+
+/// Bits of the arithmetic of the refinement: 38 digits.
+const BITS: u32 = 128;
+
+/// The largest `|z|` over all waves of a step whose parameters have values: sampled on a grid and refined, from the witness of an
+/// instability too, so that a narrow band that was proved to grow is not missed. Measured, not proved.
+pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Growth, SchemeError> {
+    let terms = difference_terms(&primitive_characteristic(step)?);
+    let compiled = CompiledStep::new(step, &terms);
+    let precise = PreciseStep::new(step, &terms, BITS);
+    let stable = witness.is_none();
+    if stable && let Some(neutral) = neutral(&precise, step.dimension()) {
+        return Ok(neutral);
+    }
+    let at = step.dimension() - 1;
+    let steps = (SAMPLES * compiled.span()).clamp(FEWEST[at], MOST[at]) & !1;
+    let spacing = TAU / steps as f64;
+    let sampled = |phases: &[f64]| {
+        let excess = |y: num_complex::Complex64| 2.0 * y.re + y.norm_sqr();
+        let all = compiled.differences(&[], phases).into_iter().map(excess);
+        all.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let mut starts: Vec<(f64, Vec<f64>)> =
+        grid(step.dimension(), steps).map(|phases| (sampled(&phases), phases)).collect();
+    starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut apart: Vec<Vec<f64>> = Vec::new();
+    for (_, phases) in starts {
+        let near = |other: &Vec<f64>| {
+            other.iter().zip(&phases).all(|(a, b)| (a - b).abs() < 2.5 * spacing)
+        };
+        if !apart.iter().any(near) {
+            apart.push(phases);
+        }
+        if apart.len() == CANDIDATES {
+            break;
+        }
+    }
+    let from_samples = apart.into_iter().map(|phases| (phases, spacing));
+    // A long wave stands for all long ones in its direction.
+    let from_witness = witness.map(|wave| match wave.phases().iter().all(|phase| *phase == 0.0) {
+        true => (wave.direction().iter().map(|x| x * spacing).collect(), 0.5 * spacing),
+        false => {
+            let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
+            (wave.phases().to_vec(), spacing.min(0.5 * size))
+        }
+    });
+    let best = from_samples
+        .chain(from_witness)
+        .map(|(phases, size)| refined(&precise, phases, size))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let phases = best.map_or_else(|| vec![0.0; step.dimension()], |(_, phases)| phases);
+    let mut bits = 2 * BITS;
+    loop {
+        let (coarse, fine) =
+            (PreciseStep::new(step, &terms, bits), PreciseStep::new(step, &terms, 2 * bits));
+        let place = |precise: &PreciseStep| place(precise, &phases);
+        let Some(found) = fine.largest(&place(&fine)) else {
+            return Ok(Growth::singular(Wave::new(phases)));
+        };
+        let settled = coarse.largest(&place(&coarse)).is_some_and(|(excess, _)| {
+            let difference = &excess - &found.0;
+            difference.magnitude().is_none_or(|size| Some(size + 40) < found.0.magnitude())
+        });
+        if settled || bits >= MOST_BITS {
+            return Ok(growth_of(Wave::new(phases), &found));
+        }
+        bits *= 2;
+    }
+}
+
+/// Where nothing grows: a wave of phases 0 and π that is neutral to all digits, the longest first.
+fn neutral(precise: &PreciseStep, dimension: usize) -> Option<Growth> {
+    (0..1usize << dimension).find_map(|corner| {
+        let phase = |axis: usize| if corner >> axis & 1 == 1 { PI } else { 0.0 };
+        let phases: Vec<f64> = (0..dimension).map(phase).collect();
+        let (excess, y) = precise.largest(&place(precise, &phases))?;
+        let noise = -i64::from(precise.bits()) / 2;
+        let is_neutral = excess.magnitude().is_none_or(|magnitude| magnitude < noise);
+        is_neutral.then(|| Growth::neutral(Wave::new(phases), y.to_c64() + 1.0))
+    })
+}
+
+/// Half of all waves: the others are their conjugates.
+fn grid(dimension: usize, steps: usize) -> impl Iterator<Item = Vec<f64>> {
+    let phase = move |index: usize| TAU * index as f64 / steps as f64 - PI;
+    let count = (steps / 2 + 1) * steps.pow(dimension as u32 - 1);
+    (0..count).map(move |mut number| {
+        let first = number % (steps / 2 + 1);
+        number /= steps / 2 + 1;
+        let mut phases = vec![phase(first) + PI];
+        for _ in 1..dimension {
+            // From −π excluded to π included.
+            phases.push(phase(number % steps + 1));
+            number /= steps;
+        }
+        phases
+    })
+}
+
+/// A wave by phases in `f64`; multiples of π/2 are exact.
+pub(crate) fn place(precise: &PreciseStep, phases: &[f64]) -> Place {
+    let axis = |phase: &f64| -> (Rational, bool) {
+        let phase = if phase.abs() > PI { phase - TAU * phase.signum() } else { *phase };
+        let quarters = phase / (0.5 * PI);
+        let s = if quarters.round() == quarters {
+            integer(quarters.abs() as i64) / integer(2)
+        } else {
+            from_f64((0.5 * phase).sin().powi(2)).unwrap_or_default()
+        };
+        (s, phase < 0.0)
+    };
+    precise.place_on_torus(&phases.iter().map(axis).collect::<Vec<_>>())
+}
+
+/// The maximum about a wave, by steps to its neighbours that become ever smaller.
+fn refined(precise: &PreciseStep, mut phases: Vec<f64>, size: f64) -> (f64, Vec<f64>) {
+    let value = |phases: &[f64]| match precise.largest(&place(precise, phases)) {
+        None => f64::INFINITY,
+        Some(found) => logarithmic(found),
+    };
+    let (mut best, mut step) = (value(&phases), size);
+    let count = 3usize.pow(phases.len() as u32);
+    while step > FINE * size {
+        let mut moved = false;
+        for neighbour in 1..count {
+            let sign = |axis: usize| (neighbour / 3usize.pow(axis as u32) % 3 + 1) % 3;
+            let to = |(axis, phase): (usize, &f64)| phase + (sign(axis) as f64 - 1.0) * step;
+            let tried: Vec<f64> = phases.iter().enumerate().map(to).collect();
+            let found = value(&tried);
+            if found > best {
+                (best, phases, moved) = (found, tried, true);
+            }
+        }
+        if !moved {
+            step *= 0.4;
+        }
+    }
+    (best, phases)
+}
+
+/// `|z|² − 1`, logarithmic beyond 1, so that it does not overflow.
+fn logarithmic((excess, _): (Float, ComplexFloat)) -> f64 {
+    match excess.magnitude() > Some(0) && !excess.is_negative() {
+        true => 1.0 + excess.ln(),
+        false => excess.to_f64(),
+    }
+}
