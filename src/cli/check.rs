@@ -8,7 +8,7 @@ use super::limits::{SearchOptions, no_monotonicity};
 use super::numbers::Numbers;
 use super::output::{Format, print, print_json, table_text};
 use super::subject::{
-    Defaults, Kind, Label, Sought, Subject, SubjectOptions, assumptions, shown, varying,
+    Defaults, Label, Sought, Subject, SubjectOptions, assumptions, shown, varying,
 };
 use super::{Failure, Outcome, numbers};
 use clap::Args;
