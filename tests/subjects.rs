@@ -277,7 +277,23 @@ fn the_symbol_of_any_scheme_has_its_characteristic_polynomial() {
         (&upwind["order"]["overall"], &upwind["keeps_constants"]),
         (&1.into(), &true.into())
     );
+    let heat = json(&["symbol", "--scheme", "heat-ftcs"]);
+    assert_eq!(heat["order"], serde_json::json!({"space": 2, "time": 1, "overall": 2}));
+    let fourth = serde_json::json!({"derivative": 4, "coefficient": "r (1 - 6 r)/12"});
+    assert_eq!((&heat["modified_equation"][1], &heat["dissipation"]), (&fourth, &fourth));
+    assert_eq!(heat["special_values"][0]["exact"], "1/6");
+    assert_eq!(heat["special_values"][0]["order"], 4);
+    let there = ["symbol", "--scheme", "heat-ftcs", "--set", "r=1/6", "--terms", "3"];
+    let there = json(&there);
+    assert_eq!(there["order"]["overall"], 4);
+    assert_eq!(there["modified_equation"][1]["coefficient"], "-1/3240");
+    assert_eq!(there["modified_equation"].as_array().unwrap().len(), 3);
+    let latex = shown(&["symbol", "--scheme", "lax-wendroff", "--format", "latex"]);
+    assert!(latex.contains("\\partial_x^{3} u"), "{latex}");
     // Parameters may stay open: nothing is decided.
+    let drifts = json(&["symbol", "--equation", "u[n+1,j] = A*u[n,j] + B*u[n,j-1]"]);
+    assert!(drifts["order"].is_null() && drifts["modified_equation"].is_null());
+    assert!(drifts["modified_equation_reason"].as_str().unwrap().contains("the mean drifts"));
     assert!(shown(&["symbol", "--equation", "u[n+1,j] = A*u[n,j] + B*u[n,j-1]"]).contains("χ(z)"));
 }
 

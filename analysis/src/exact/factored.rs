@@ -6,7 +6,7 @@ use crate::exact::rational::Rational;
 use crate::exact::rational_function::RationalFunction;
 use crate::exact::real_roots::{real_roots, root_bound};
 use num_bigint::BigInt;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
 /// How a polynomial, brackets around one and exponents are set.
 struct Notation<'a> {
@@ -56,8 +56,8 @@ impl Factors {
         Self { content, factors }
     }
 
-    /// The product without its sign.
-    fn text(&self, notation: &Notation) -> String {
+    /// What the product is put together from, without its sign.
+    fn parts(&self, notation: &Notation) -> Vec<String> {
         let Notation { write, brackets: [open, close], braces: [begin, end] } = notation;
         let content = self.content.abs();
         let mut parts: Vec<String> = Vec::new();
@@ -74,7 +74,7 @@ impl Factors {
                 _ => format!("{text}^{begin}{multiplicity}{end}"),
             });
         }
-        parts.join(" ")
+        parts
     }
 }
 
@@ -109,26 +109,28 @@ impl RationalFunction {
         let write = |p: &Laurent| p.to_text(name);
         let notation = Notation { write: &write, brackets: ["(", ")"], braces: [""; 2] };
         self.set(&notation, |above, below| match below {
-            _ if below.contains(' ') => format!("{above}/({below})"),
-            _ => format!("{above}/{below}"),
+            [single] => format!("{above}/{single}"),
+            several => format!("{above}/({})", several.join(" ")),
         })
     }
 
     /// As LaTeX; `write` sets a polynomial.
     pub fn to_latex(&self, write: &dyn Fn(&Laurent) -> String) -> String {
         let notation = Notation { write, brackets: ["\\left(", "\\right)"], braces: ["{", "}"] };
-        self.set(&notation, |above, below| format!("\\frac{{{above}}}{{{below}}}"))
+        self.set(&notation, |above, below| format!("\\frac{{{above}}}{{{}}}", below.join(" ")))
     }
 
-    fn set(&self, notation: &Notation, quotient: impl Fn(&str, &str) -> String) -> String {
+    fn set(&self, notation: &Notation, quotient: impl Fn(&str, &[String]) -> String) -> String {
+        if self.is_zero() {
+            return "0".into();
+        }
         let (above, below) = (Factors::of(self.numerator()), Factors::of(self.denominator()));
         let is_negative = above.content.is_negative() != below.content.is_negative();
         let sign = if is_negative { "-" } else { "" };
-        let (above, below) = (above.text(notation), below.text(notation));
-        if below == "1" {
-            format!("{sign}{above}")
-        } else {
-            format!("{sign}{}", quotient(&above, &below))
+        let (above, below) = (above.parts(notation).join(" "), below.parts(notation));
+        match below.as_slice() {
+            [one] if one == "1" => format!("{sign}{above}"),
+            parts => format!("{sign}{}", quotient(&above, parts)),
         }
     }
 }

@@ -37,7 +37,7 @@ pub struct Accuracy {
 }
 
 /// The series is looked at up to this power at most.
-const HIGHEST_POWER: usize = 24;
+pub const HIGHEST_POWER: usize = 24;
 
 impl Step {
     /// The orders of accuracy with the series that shows them, long enough for all orders or up to the power 24; `exact` as in

@@ -2,7 +2,8 @@
 //!
 //! With `E = e^x`, `x = iφ`, and `z = e^λ`, the characteristic equation `χ(e^λ, e^x; p) = 0` defines `λ(x) = Σ_m c_m(p) x^m`. A power
 //! of `x` is a derivative, `x ↔ Δx ∂/∂x`, and `λ ↔ Δt ∂/∂t`: the series is the modified equation of the scheme (Warming & Hyett 1974).
-//! Coefficients are rational functions of the parameters, with one square root where two branches begin alike.
+//! Coefficients are rational functions of the parameters, with one square root where two branches begin alike. Irrational numbers of
+//! the equations stay letters, independent of one another but for square roots of fractions, whose squares are known.
 
 mod exact_step;
 mod leading;

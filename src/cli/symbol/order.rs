@@ -5,7 +5,7 @@ use super::super::subject::Subject;
 use courant::analysis::exact::rational::{to_f64, to_text};
 use courant::analysis::exact::real_roots::RealRoot;
 use courant::analysis::scheme::Step;
-use courant::analysis::waves::accuracy::Accuracy;
+use courant::analysis::waves::accuracy::{Accuracy, HIGHEST_POWER};
 use courant::analysis::waves::long_waves::{LongWaves, NoSeries};
 use courant::analysis::waves::modified_equation::ModifiedTerm;
 use courant::reports::number::significant;
@@ -13,8 +13,8 @@ use courant::reports::record::{
     DerivativeRecord, ModifiedTermRecord, OrderRecord, SpecialValueRecord,
 };
 
-/// The highest power of the phase that is computed for the modified equation.
-const HIGHEST_POWER: usize = 60;
+/// The highest power of the phase that is computed for a modified equation of many terms.
+const LONGEST: usize = 60;
 
 /// What the series at long waves says.
 pub struct Order {
@@ -64,8 +64,8 @@ fn of_steps(
     let count = |series: &LongWaves| series.modified_equation().map_or(usize::MAX, |t| t.len());
     match terms {
         Some(terms) => {
-            while count(&series) < terms && power < HIGHEST_POWER && accuracy.power.is_some() {
-                power = (2 * power).min(HIGHEST_POWER);
+            while count(&series) < terms && power < LONGEST && accuracy.power.is_some() {
+                power = (2 * power).min(LONGEST);
                 series = shown.long_waves(exact, power)?;
             }
         }
@@ -106,7 +106,7 @@ impl Order {
         if self.accuracy.is_exact_shift {
             reasons.push("exact: every wave is moved by whole cells".to_string());
         } else if self.accuracy.power.is_none() {
-            reasons.push(format!("no error up to the power {} of the phase", 24));
+            reasons.push(format!("no error up to the power {HIGHEST_POWER} of the phase"));
         }
         if !self.series.is_exact() {
             reasons.push("the kernel is known within a radius, no coefficient exactly".into());
@@ -164,15 +164,21 @@ impl Order {
             |name: &str, order: Option<u32>| Some(format!("{order} in {name}", order = order?));
         let parts = [of("space", record.space), of("time", record.time)];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
-        let parts =
-            if parts.is_empty() { String::new() } else { format!(" ({})", parts.join(", ")) };
+        let parts = parts.join(", ");
+        let general = self.general.overall.filter(|order| record.overall != Some(*order));
+        let parts = match general {
+            _ if parts.is_empty() => String::new(),
+            None => format!(" ({parts})"),
+            Some(order) => format!(" at this value (in general {order}: {parts})"),
+        };
         let reasons = self.reasons().into_iter().map(|reason| format!("; {reason}"));
         format!("{overall}{parts}{}", reasons.collect::<String>())
     }
 
     /// Of a term of the error, what it is.
     fn error(&self, power: Option<usize>) -> Option<ModifiedTermRecord> {
-        let power = power.filter(|_| self.series.is_exact() && self.terms.is_some())?;
+        let is_line = self.terms.as_ref()?.first().is_some_and(|term| term.derivative.len() == 1);
+        let power = power.filter(|_| is_line)?;
         let derivative = DerivativeRecord::Line(power as u32);
         Some(ModifiedTermRecord { derivative, coefficient: self.series.error_text(power) })
     }

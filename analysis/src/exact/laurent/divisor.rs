@@ -341,11 +341,17 @@ impl Laurent {
             return (Self::default(), Self::integer(1));
         };
         let monomial = rest.lowest_powers().map(|power| power.div_euclid(2));
-        let content = rest.integer_content();
-        let mut factor = content.sqrt();
-        if &factor * &factor != content {
-            let squares = |whole: &i64| (&content % (whole * whole)).is_zero();
-            factor = (2i64..100).filter(squares).max().unwrap_or(1).into();
+        let mut content = rest.integer_content();
+        let mut factor = BigInt::one();
+        for whole in 2i64..1000 {
+            while (&content % (whole * whole)).is_zero() {
+                content /= whole * whole;
+                factor *= whole;
+            }
+        }
+        let left = content.sqrt();
+        if &left * &left == content {
+            factor *= left;
         }
         let (shift, square) = (Self::monomial(monomial, factor.clone()), factor.pow(2));
         let rest = rest.divide_exactly(&Self::monomial(monomial.map(|power| 2 * power), square));

@@ -121,7 +121,12 @@ impl ExactStep {
             names.map(|v| (Variable(v), exponents[v])).filter(|(_, power)| *power != 0).collect()
         };
         let simple = value.denominator().as_constant().is_some();
-        match (free(value.numerator()).as_slice(), free(square).as_slice()) {
+        let mut names = free(value.numerator());
+        if square.as_constant().is_some() {
+            // The root of a number scales with nothing.
+            names.retain(|(variable, _)| *variable != ROOT);
+        }
+        match (names.as_slice(), free(square).as_slice()) {
             // λ = −sqrt(p) x: p ∝ Δt²/Δx².
             ([(ROOT, 1)], [(variable, 1)]) if simple => {
                 let (s, t) = (1, -(power as i32));

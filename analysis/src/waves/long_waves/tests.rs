@@ -23,7 +23,7 @@ fn modified_equations_of_the_literature() {
     let leapfrog = coefficients("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])", advection, 5);
     assert_eq!(leapfrog[1..4], ["0", "-C (1 - C) (1 + C)/6", "0"]);
     // arsinh(C sinh x) to the fifth power.
-    assert_eq!(leapfrog[4], "-C (1 - C) (1 + C) (1 - 9 C^2)/120");
+    assert_eq!(leapfrog[4], "-C (1 - C) (1 - 3 C) (1 + C) (1 + 3 C)/120");
     let implicit = "u[n+1,j] + C/4*(u[n+1,j+1] - u[n+1,j-1]) = u[n,j] - C/4*(u[n,j+1] - u[n,j-1])";
     assert_eq!(coefficients(implicit, advection, 4)[1..], ["0", "-C (2 + C^2)/12", "0"]);
     let heat = "u[n+1,j] = u[n,j] + r*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
@@ -132,10 +132,10 @@ proptest! {
         );
         let step = Step::from_text(&text).unwrap();
         let series = step.long_waves(None, 10).unwrap();
-        let phase = 0.02;
+        let phase = 0.005;
         let lambda = series.evaluate(&[("C", c)], phase);
         let multipliers = step.compile().unwrap().multipliers(&[c], &[phase]);
         let distance = multipliers.iter().map(|z| (z.ln() - lambda).norm()).fold(f64::MAX, f64::min);
-        prop_assert!(distance < 1e-12, "{} {}", distance, lambda);
+        prop_assert!(distance < 1e-13, "{} {}", distance, lambda);
     }
 }
