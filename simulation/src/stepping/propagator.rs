@@ -149,7 +149,7 @@ impl Propagator {
                 inverse[row][column].norm() * (errors[row][column] + 2.0 * shift)
             })
             .sum();
-        let sign = if size % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if size.is_multiple_of(2) { 1.0 } else { -1.0 };
         Some((sign * factors.determinant(), error + 4.0 * rest))
     }
 

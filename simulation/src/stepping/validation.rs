@@ -161,9 +161,12 @@ fn same_polynomial(propagator: &Propagator, polynomial: &WavePolynomial) -> bool
             Some((quotient, measured_error + error / predicted.norm()))
         })
         .collect();
-    // Where that says nothing, the multipliers alone are compared.
+    // Where that says nothing or gives no number, the multipliers alone are compared.
     let Some([(first, first_error), rest @ ..]) = quotients.as_deref() else { return true };
-    rest.iter().all(|(quotient, error)| !((quotient / first - 1.0).norm() > error + first_error))
+    rest.iter().all(|(quotient, error)| {
+        let away = (quotient / first - 1.0).norm();
+        away <= error + first_error || away.is_nan()
+    })
 }
 
 /// A predicted multiplier and the measured one that belongs to it.
