@@ -83,6 +83,8 @@ struct Answer {
     /// The phase of a wave that grows like the number of steps, as all do at every value.
     double_multiplier: Option<Wave>,
     keeps_constants: bool,
+    /// How the parameter must fall under refinement, where no value is stable.
+    refinement: Option<Refinement>,
 }
 
 #[derive(Debug, Serialize)]
@@ -134,6 +136,11 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
     };
     let double = set.as_ref().map(|set| step.multiple_on_every_wave(parameter, set));
     let double = double.transpose().map_err(failed)?.flatten();
+    let unstable = set.is_some() && stability.upper() == 0.0;
+    let refinement = match unstable {
+        true => step.refinement_rule(parameter).map_err(failed)?,
+        false => None,
+    };
     let growth = budgets(arguments).iter().map(|budget| {
         let plan = plan.clone().growing(budget.clone());
         let found = step.stable_set(parameter, &plan).map_err(failed)?;
@@ -148,6 +155,7 @@ fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
         growth: growth.collect::<Result<_, Failure>>()?,
         double_multiplier: double.map(|found| found.wave),
         singular: step.singular_steps(parameter, &plan).map_err(failed)?,
+        refinement,
         keeps_constants: step.keeps_constants().map_err(failed)?,
         sought,
         subject,

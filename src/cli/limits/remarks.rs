@@ -3,8 +3,8 @@
 use super::Answer;
 use crate::cli::limit_text;
 use crate::cli::subject::assumptions;
-use courant::analysis::exact::rational::{decimal_below, to_text};
-use courant::analysis::stability::Evidence;
+use courant::analysis::exact::rational::{decimal_below, integer, ratio, to_text};
+use courant::analysis::stability::{Evidence, Refinement};
 use courant::reports::number::significant;
 
 /// Names of rows in one remark at most.
@@ -107,6 +107,25 @@ pub(super) fn remarks(
                 "marginal at best: two multipliers of every wave but the longest are equal on the unit circle at every {symbol}, that of {wave} \
                  among them: its amplitude grows like the number of steps"
             ));
+        }
+        match &answer.refinement {
+            Some(Refinement::OfLongWaves(rule)) => {
+                let exponent = to_text(&rule.exponent);
+                add(format!(
+                    "on N cells the longest wave has the phase 2π/N, and none grows up to about {symbol} = {} (2π/N)^({exponent}): {} on 100 cells, \
+                     {} on 1000. Where {symbol} ∝ Δt/Δx that is Δt ≤ const Δx^({})",
+                    significant(rule.factor, 5),
+                    significant(rule.at(100), 3),
+                    significant(rule.at(1000), 3),
+                    to_text(&(&rule.exponent + integer(1))),
+                ));
+            }
+            Some(Refinement::OfAllWaves { power }) => add(format!(
+                "waves of every length grow, |z|² − 1 ∝ {symbol}^{power}: bounded up to a given time where {symbol}^{power} ≤ const Δt. Where {symbol} ∝ Δt/Δx \
+                 that is Δt ≤ const Δx^({})",
+                to_text(&ratio(*power as i64, *power as i64 - 1)),
+            )),
+            None => {}
         }
         if limit.is_unbounded() {
             let evidence = match limit.evidence() {
