@@ -3,13 +3,16 @@
 pub(crate) mod bands;
 pub mod consistency;
 pub mod dispersion;
-pub mod growth;
+pub(crate) mod envelope;
+pub mod gain_extremes;
 pub mod multipliers;
 pub(crate) mod precise;
 mod roots;
+mod sampled_gain;
 pub mod step_growth;
 pub mod sweep;
 pub(crate) mod wave_terms;
 
+pub use gain_extremes::GainExtremes;
 pub use multipliers::CompiledStep;
 pub use step_growth::{Growth, growth_at};

@@ -12,6 +12,7 @@ use num_traits::One;
 use std::f64::consts::PI;
 
 mod errors;
+mod one_parameter;
 
 /// A [`Step`] in `f64`: the coefficients of `χ(z)` for any wave and any values of the parameters that are free.
 ///
