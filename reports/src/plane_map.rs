@@ -124,9 +124,10 @@ impl PlaneMap {
     /// Every data file of the map: names that begin with `stem`, and contents.
     pub fn data_files(&self, stem: &str) -> Vec<(String, Vec<u8>)> {
         let (x, y) = (&self.x, &self.y);
-        let seconds: Vec<f64> = y.values.iter().map(to_f64).collect();
+        let text_of = |value: &Rational| to_f64(value).to_string();
+        let seconds: Vec<String> = y.values.iter().map(text_of).collect();
         let row = |(i, first): (usize, &Rational)| {
-            let (first, mut text) = (to_f64(first), String::new());
+            let (first, mut text) = (text_of(first), String::new());
             for (j, second) in seconds.iter().enumerate() {
                 let (most, least) = (self.largest[[i, j]], self.lowest[[i, j]]);
                 writeln!(text, "{first},{second},{most},{least}")
@@ -186,8 +187,9 @@ mod tests {
             name: name.into(),
             values: (1..=last).map(|value| ratio(value, 10)).collect(),
         };
-        let map = plane_map(&step, axis("r", 6), axis("C", 12), &SearchPlan::default(), &no_progress)
-            .unwrap();
+        let map =
+            plane_map(&step, axis("r", 6), axis("C", 12), &SearchPlan::default(), &no_progress)
+                .unwrap();
         for (i, r) in map.x.values.iter().enumerate() {
             for (j, c) in map.y.values.iter().enumerate() {
                 let stable = c * c <= r * ratio(2, 1) && *r <= ratio(1, 2);

@@ -241,9 +241,10 @@ impl StabilityMap {
 
     /// The grid as comma-separated values, a row for each point.
     pub fn to_csv(&self) -> String {
-        let courant_numbers: Vec<f64> = self.plan.courant_numbers.iter().map(to_f64).collect();
+        let text_of = |value: &Rational| to_f64(value).to_string();
+        let courant_numbers: Vec<String> = self.plan.courant_numbers.iter().map(text_of).collect();
         let row = |(i, l): (usize, &Rational)| {
-            let l = to_f64(l);
+            let l = text_of(l);
             let mut text = String::with_capacity(100 * courant_numbers.len());
             for (j, c) in courant_numbers.iter().enumerate() {
                 let at = [i, j];

@@ -108,7 +108,13 @@ impl Envelope {
     }
 
     /// From the coefficients `[order][power]`, with the values at both ends, where cancellation is to be exact.
-    fn of_series(series: &[f64], powers: usize, first: &[f64], last: &[f64], sampled: usize) -> Self {
+    fn of_series(
+        series: &[f64],
+        powers: usize,
+        first: &[f64],
+        last: &[f64],
+        sampled: usize,
+    ) -> Self {
         let degree = series.len() / powers - 1;
         let cells = CELLS_PER_HALF_WAVE * degree.max(1);
         let half = 0.5 * PI / cells as f64;
@@ -119,13 +125,16 @@ impl Envelope {
                 let mut term = *value;
                 for m in 0..TERMS {
                     let signed = if m % 4 == 1 || m % 4 == 2 { -term } else { term };
-                    if m % 2 == 0 { even.push(signed) } else { odd.push(signed) }
+                    if m % 2 == 0 {
+                        even.push(signed)
+                    } else {
+                        odd.push(signed)
+                    }
                     term *= order as f64 * half / (m + 1) as f64;
                 }
             }
         }
-        let turns: Vec<(f64, f64)> =
-            (0..2 * cells).map(|j| exact_turn(j, cells)).collect();
+        let turns: Vec<(f64, f64)> = (0..2 * cells).map(|j| exact_turn(j, cells)).collect();
         let width = TERMS / 2 * powers;
         let mut table = Vec::with_capacity((cells + 1) * powers);
         Arch::new().dispatch(|| {

@@ -7,7 +7,7 @@ use crate::scheme::{SchemeError, Step};
 use crate::stability::margin::growth_from_excess;
 use num_complex::Complex64;
 
-/// Below this `|g|²`, in units of the largest, the smallest `|g|` is taken from `g` itself: the square root would double its error.
+/// Below this part of the largest `|z|²` the smallest `|z|` is taken from `z` itself: a square root has half the digits near zero.
 const SMALL: f64 = 1e-4;
 
 /// The extremes over all waves of the largest `|z|`, for every value of a parameter.
@@ -62,7 +62,13 @@ fn of_compiled(compiled: &CompiledStep, values: &[f64]) -> (GainExtremes, Work) 
         return of_one_step(compiled, divisor, powers, values);
     }
     let found = SampledGain::new(compiled).extremes(values);
-    let lowest = found.iter().map(|pair| 1.0 + growth_from_excess(pair[1].value)).collect();
+    let smallest = |(&value, [high, low]): (&f64, &[Extreme; 2])| {
+        lowest_gain(high, low, || {
+            let multipliers = compiled.multipliers(&[value], low.phase);
+            multipliers.iter().map(|z| z.norm()).fold(0.0, f64::max)
+        })
+    };
+    let lowest = values.iter().zip(&found).map(smallest).collect();
     (GainExtremes::new(&found, lowest), Work::default())
 }
 
@@ -90,14 +96,19 @@ fn of_one_step(
     });
     let (found, work) = envelope.extremes(values);
     let smallest = |(&value, [high, low]): (&f64, &[Extreme; 2])| {
-        if 1.0 + low.value > SMALL * (1.0 + high.value.max(1.0)) {
-            return 1.0 + growth_from_excess(low.value);
-        }
-        let sum = |sum: Complex64, one: &Complex64| sum * value + one;
-        (1.0 + changes(low.phase).iter().rev().fold(Complex64::ZERO, sum)).norm()
+        lowest_gain(high, low, || {
+            let sum = |sum: Complex64, one: &Complex64| sum * value + one;
+            (1.0 + changes(low.phase).iter().rev().fold(Complex64::ZERO, sum)).norm()
+        })
     };
     let lowest = values.iter().zip(&found).map(smallest).collect();
     (GainExtremes::new(&found, lowest), work)
+}
+
+/// From `|z|² − 1`, or `directly` where that has lost its digits.
+fn lowest_gain(high: &Extreme, low: &Extreme, directly: impl FnOnce() -> f64) -> f64 {
+    let is_small = 1.0 + low.value < SMALL * (1.0 + high.value.max(1.0));
+    if is_small { directly() } else { 1.0 + growth_from_excess(low.value) }
 }
 
 impl GainExtremes {

@@ -150,7 +150,11 @@ impl<'a> SampledGain<'a> {
 
     /// The maximum between the two neighbours of a sampled one: parabolic interpolation through a
     /// shrinking bracket, with a golden-section step wherever the parabola does not help.
-    fn polish(&self, at: &impl Fn(f64) -> Point, [mut left, mut best, mut right]: [Point; 3]) -> Point {
+    fn polish(
+        &self,
+        at: &impl Fn(f64) -> Point,
+        [mut left, mut best, mut right]: [Point; 3],
+    ) -> Point {
         let spacing = self.phases[1];
         for _ in 0..MOST_EVALUATIONS {
             let (before, after) = (best.1 - left.1, right.1 - best.1);

@@ -30,8 +30,8 @@ fn brute_force(step: &Step, courant_number: f64, samples: usize) -> (f64, f64) {
     let best = |sign: f64| {
         let f = |phase: f64| sign * gain.at_phase(phase).norm();
         let spacing = PI / samples as f64;
-        let best = (0..=samples)
-            .max_by(|&i, &j| f(i as f64 * spacing).total_cmp(&f(j as f64 * spacing)));
+        let best =
+            (0..=samples).max_by(|&i, &j| f(i as f64 * spacing).total_cmp(&f(j as f64 * spacing)));
         let middle = best.unwrap_or(0) as f64 * spacing;
         let (mut lower, mut upper) = (middle - spacing, middle + spacing);
         let golden = 0.5 * (5f64.sqrt() - 1.0);
@@ -117,16 +117,18 @@ fn a_row_takes_some_hundred_phases_and_two_cells_for_each_value() {
     let step = sph("godunov-sph", Kernel::CubicSpline, &integer(10));
     let values: Vec<f64> = (0..401).map(|i| 0.03 * f64::from(i)).collect();
     let (_, work) = of_compiled(&step.compile().unwrap(), &values);
-    println!("{work:?}");
     // |g|² is of degree 19: 20 waves to know it, four cells for each half-wave.
     assert!(work.phases <= 39 + 77, "{work:?}");
-    assert!(work.cells <= 4 * 401, "{work:?}");
-    assert!(work.newton_steps <= 6 * work.cells / 8, "{work:?}");
+    // 1143 cells for 802 extremes, one in ten of them halved.
+    assert!(work.cells <= 3 * 401 && work.halved <= 150, "{work:?}");
+    assert!(work.newton_steps <= 4 * work.cells.div_ceil(8), "{work:?}");
 }
 
 #[test]
 fn what_cannot_be_asked_is_refused() {
     let step = Step::from_text("u[n+1,j] = u[n,j] - C*r*(u[n,j] - u[n,j-1])").unwrap();
-    assert!(matches!(step.gain_extremes("C", &[1.0]), Err(SchemeError::NotSet(open)) if open == ["r"]));
+    assert!(
+        matches!(step.gain_extremes("C", &[1.0]), Err(SchemeError::NotSet(open)) if open == ["r"])
+    );
     assert!(matches!(step.gain_extremes("D", &[1.0]), Err(SchemeError::UnknownParameter { .. })));
 }
