@@ -6,15 +6,14 @@
 //! reach beyond the best sample by the sum of the moduli of the terms. There Newton's method goes for it, for eight columns at once. A cell
 //! that is not certainly concave is halved until its parts are. No extremum is missed between the nodes.
 
+mod cell;
+
+use cell::{CellPolynomial, TERMS, horner_in, is_concave, may_turn, newton, search_halves};
 use pulp::Arch;
 use std::f64::consts::PI;
-use std::ops::AddAssign;
 
 /// Cells for each half-wave of the highest frequency.
 const CELLS_PER_HALF_WAVE: usize = 4;
-
-/// Terms of the polynomial of a cell: what is left out is below `(π/8)^12/12! = 3e-14` of the range (Bernstein's inequality).
-const TERMS: usize = 12;
 
 /// Columns that are worked on together.
 pub(crate) const LANES: usize = 8;
@@ -25,19 +24,11 @@ const ROUNDING: f64 = 1e-14;
 /// A cell that cannot exceed the best sample by more than this part of the sum of all terms is not looked into.
 const NEGLIGIBLE: f64 = 1e-13;
 
-/// Newton's method stops at steps of this part of half a cell.
-const CLOSE: f64 = 1e-12;
-
-/// Steps of the safeguarded Newton's method at most: bisection alone gets there.
-const MOST_STEPS: usize = 60;
-
 /// Times a cell is halved at most: `f` then varies by less than `2^−60` of its third derivative.
 const MOST_HALVINGS: usize = 20;
 
 /// One number for each of the columns.
 pub(crate) type Lanes = [f64; LANES];
-
-type CellPolynomial = [f64; TERMS];
 
 /// An extreme value and the phase at which it is taken, in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,15 +48,6 @@ pub(crate) struct Work {
     pub(crate) newton_steps: usize,
     /// Cells that had to be halved.
     pub(crate) halved: usize,
-}
-
-impl AddAssign for Work {
-    fn add_assign(&mut self, other: Self) {
-        self.phases += other.phases;
-        self.cells += other.cells;
-        self.newton_steps += other.newton_steps;
-        self.halved += other.halved;
-    }
 }
 
 /// `f(φ, t)` prepared for any number of `t`.
@@ -278,8 +260,7 @@ impl Envelope {
         let mut found = [(f64::NEG_INFINITY, 0.0); LANES];
         for (lane, candidate) in group.iter().enumerate() {
             let cell = self.polynomial(candidate, parameters[candidate.column]);
-            let bend: f64 = (3..TERMS).map(|m| (m * (m - 1)) as f64 * cell[m].abs()).sum();
-            concave[lane] = 2.0 * cell[2] + bend < 0.0;
+            concave[lane] = is_concave(&cell);
             if concave[lane] {
                 terms.iter_mut().zip(cell).for_each(|(lanes, term)| lanes[lane] = term);
             } else {
@@ -388,115 +369,6 @@ fn horner(coefficients: &[f64], t: &Lanes) -> Lanes {
         }
     }
     sum
-}
-
-/// The polynomials of the lanes at their places.
-#[inline(always)]
-fn horner_in(terms: &[Lanes; TERMS], places: &Lanes) -> Lanes {
-    let mut sum = [0.0; LANES];
-    for term in terms.iter().rev() {
-        for lane in 0..LANES {
-            sum[lane] = sum[lane] * places[lane] + term[lane];
-        }
-    }
-    sum
-}
-
-/// Whether the slope may vanish in the cell.
-#[inline(always)]
-fn may_turn(cell: &CellPolynomial) -> bool {
-    let change: f64 = (2..TERMS).map(|m| m as f64 * cell[m].abs()).sum();
-    cell[1].abs() <= change
-}
-
-/// The maxima of concave polynomials on `[−1, 1]`, and the steps it took: Newton's method for the slope within a bracket.
-#[inline(always)]
-fn newton(terms: &[Lanes; TERMS]) -> (Lanes, usize) {
-    let (mut lower, mut upper) = ([-1.0; LANES], [1.0; LANES]);
-    let (mut first, mut last) = ([0.0; LANES], [0.0; LANES]);
-    for m in 1..TERMS {
-        let sign = if m % 2 == 0 { -1.0 } else { 1.0 };
-        for lane in 0..LANES {
-            let slope = m as f64 * terms[m][lane];
-            last[lane] += slope;
-            first[lane] += sign * slope;
-        }
-    }
-    let mut places = [0.0; LANES];
-    for lane in 0..LANES {
-        // A cell that only rises or only falls has its maximum at an end.
-        lower[lane] = if last[lane] >= 0.0 { 1.0 } else { -1.0 };
-        upper[lane] = if first[lane] <= 0.0 { -1.0 } else { 1.0 };
-        let vertex = -0.5 * terms[1][lane] / terms[2][lane];
-        let vertex = if vertex < lower[lane] { lower[lane] } else { vertex };
-        places[lane] = if vertex > upper[lane] { upper[lane] } else { vertex };
-    }
-    for step in 1..=MOST_STEPS {
-        let (mut slope, mut bend) = ([0.0; LANES], [0.0; LANES]);
-        for m in (1..TERMS).rev() {
-            for lane in 0..LANES {
-                bend[lane] = bend[lane] * places[lane] + slope[lane];
-                slope[lane] = slope[lane] * places[lane] + m as f64 * terms[m][lane];
-            }
-        }
-        let mut moved = 0.0f64;
-        for lane in 0..LANES {
-            let (at, rises) = (places[lane], slope[lane] > 0.0);
-            lower[lane] = if rises { at } else { lower[lane] };
-            upper[lane] = if rises { upper[lane] } else { at };
-            let next = at - slope[lane] / bend[lane];
-            let inside = next >= lower[lane] && next <= upper[lane];
-            let middle = 0.5 * (lower[lane] + upper[lane]);
-            places[lane] = if inside { next } else { middle };
-            let distance = (places[lane] - at).abs();
-            moved = if distance > moved { distance } else { moved };
-        }
-        if moved <= CLOSE {
-            return (places, step);
-        }
-    }
-    (places, MOST_STEPS)
-}
-
-/// The maximum on `[middle − radius, middle + radius]`, if it exceeds the best known `(value, place)`.
-fn search_halves(
-    cell: &CellPolynomial,
-    (middle, radius): (f64, f64),
-    halvings: usize,
-    best: &mut (f64, f64),
-) {
-    // The polynomial about the middle, in powers of the distance over the radius.
-    let mut here = *cell;
-    for first in 0..TERMS {
-        for m in (first..TERMS - 1).rev() {
-            here[m] += middle * here[m + 1];
-        }
-    }
-    let mut scale = 1.0;
-    for term in &mut here {
-        *term *= scale;
-        scale *= radius;
-    }
-    let rise: f64 = here[1..].iter().map(|term| term.abs()).sum();
-    if here[0] > best.0 {
-        *best = (here[0], middle);
-    }
-    if here[0] + rise <= best.0 || !may_turn(&here) || halvings == 0 {
-        return;
-    }
-    let bend: f64 = (3..TERMS).map(|m| (m * (m - 1)) as f64 * here[m].abs()).sum();
-    if 2.0 * here[2] + bend < 0.0 {
-        let terms = here.map(|term| [term; LANES]);
-        let places = newton(&terms).0;
-        let value = horner_in(&terms, &places)[0];
-        if value > best.0 {
-            *best = (value, middle + radius * places[0]);
-        }
-        return;
-    }
-    let half = 0.5 * radius;
-    search_halves(cell, (middle - half, half), halvings - 1, best);
-    search_halves(cell, (middle + half, half), halvings - 1, best);
 }
 
 #[cfg(test)]

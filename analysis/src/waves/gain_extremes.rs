@@ -61,12 +61,10 @@ fn of_compiled(compiled: &CompiledStep, values: &[f64]) -> (GainExtremes, Work) 
     {
         return of_one_step(compiled, divisor, powers, values);
     }
-    let found = SampledGain::new(compiled).extremes(values);
+    let sampled = SampledGain::new(compiled);
+    let found = sampled.extremes(values);
     let smallest = |(&value, [high, low]): (&f64, &[Extreme; 2])| {
-        lowest_gain(high, low, || {
-            let multipliers = compiled.multipliers(&[value], low.phase);
-            multipliers.iter().map(|z| z.norm()).fold(0.0, f64::max)
-        })
+        lowest_gain(high, low, || sampled.corner_about(value, low.phase))
     };
     let lowest = values.iter().zip(&found).map(smallest).collect();
     (GainExtremes::new(&found, lowest), Work::default())

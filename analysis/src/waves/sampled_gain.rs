@@ -94,6 +94,24 @@ impl<'a> SampledGain<'a> {
         (sign * largest_excess(&values, self.powers, parameter), phase)
     }
 
+    /// The smallest gain about a phase where it nearly vanishes: the modulus has a corner there, which golden sections find to more
+    /// digits than the parabola of its square.
+    pub(crate) fn corner_about(&self, parameter: f64, phase: f64) -> f64 {
+        let gain = |phase: f64| {
+            let multipliers = self.compiled.multipliers(&[parameter], phase);
+            multipliers.iter().map(|z| z.norm()).fold(0.0, f64::max)
+        };
+        let width = CLOSE * self.phases[1];
+        let (mut lower, mut upper) = (phase - width, phase + width);
+        let golden = 0.5 * (5f64.sqrt() - 1.0);
+        while upper - lower > 1e-14 {
+            let (left, right) =
+                (upper - golden * (upper - lower), lower + golden * (upper - lower));
+            if gain(left) > gain(right) { lower = left } else { upper = right }
+        }
+        gain(phase).min(gain(lower.midpoint(upper)))
+    }
+
     /// The largest value, from the samples.
     fn refined(&self, parameter: f64, sign: f64, samples: &[f64]) -> Point {
         let at = |phase: f64| self.at(parameter, sign, phase);
