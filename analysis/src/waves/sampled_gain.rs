@@ -29,6 +29,9 @@ const PLATEAU: f64 = 1e-13;
 const MOST_EVALUATIONS: usize = 60;
 const FLAT: f64 = 2e-5;
 
+/// Golden sections stop at this width, in radians.
+const RESOLUTION: f64 = 1e-13;
+
 /// Where the neighbours must be for that, in sample spacings.
 const CLOSE: f64 = 0.02;
 
@@ -102,14 +105,9 @@ impl<'a> SampledGain<'a> {
             multipliers.iter().map(|z| z.norm()).fold(0.0, f64::max)
         };
         let width = CLOSE * self.phases[1];
-        let (mut lower, mut upper) = (phase - width, phase + width);
-        let golden = 0.5 * (5f64.sqrt() - 1.0);
-        while upper - lower > 1e-14 {
-            let (left, right) =
-                (upper - golden * (upper - lower), lower + golden * (upper - lower));
-            if gain(left) > gain(right) { lower = left } else { upper = right }
-        }
-        gain(phase).min(gain(lower.midpoint(upper)))
+        let (best, _) =
+            golden_sections(&|phase| (-gain(phase), phase), phase - width, phase + width);
+        gain(phase).min(-best)
     }
 
     /// The largest value, from the samples.
@@ -139,7 +137,15 @@ impl<'a> SampledGain<'a> {
             let candidate = if index == 0 || index == last {
                 self.near_end(&at, at(self.phases[index]))
             } else {
-                self.polish(&at, [index - 1, index, index + 1].map(|i| at(self.phases[i])))
+                let around = [index - 1, index, index + 1].map(|i| self.phases[i]);
+                // Where two multipliers exchange places the largest has a corner, which parabolas take for found too early.
+                let corner = if sign < 0.0 {
+                    golden_sections(&at, around[0], around[2])
+                } else {
+                    (f64::NEG_INFINITY, 0.0)
+                };
+                let smooth = self.polish(&at, around.map(&at));
+                if corner.0 > smooth.0 { corner } else { smooth }
             };
             if candidate.0 > found.0 {
                 found = candidate;
@@ -202,6 +208,23 @@ impl<'a> SampledGain<'a> {
         }
         best
     }
+}
+
+/// The maximum between two phases with one maximum between them, whatever its shape.
+fn golden_sections(at: &impl Fn(f64) -> Point, mut lower: f64, mut upper: f64) -> Point {
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut left, mut right) =
+        (at(upper - golden * (upper - lower)), at(lower + golden * (upper - lower)));
+    while upper - lower > RESOLUTION {
+        if left.0 < right.0 {
+            (lower, left) = (left.1, right);
+            right = at(lower + golden * (upper - lower));
+        } else {
+            (upper, right) = (right.1, left);
+            left = at(upper - golden * (upper - lower));
+        }
+    }
+    if left.0 > right.0 { left } else { right }
 }
 
 /// `|z|² − 1` of the largest root of `Σ_j y^j Σ_m p^m values[j][m]`, `z = 1 + y`; infinite where the leading coefficient vanishes.
