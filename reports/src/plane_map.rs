@@ -7,16 +7,13 @@ use crate::figure::{
 use crate::npy;
 use crate::stability_map::{COLOR_BAR_LABEL, bands};
 use courant_analysis::exact::rational::{Rational, to_f64, to_text};
-use courant_analysis::scheme::{SchemeError, Step};
+use courant_analysis::scheme::Step;
 use courant_analysis::stability::{SearchPlan, StableSet};
+use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, with_progress};
 use ndarray::Array2;
 use num_traits::Signed;
 use rayon::prelude::*;
-use std::f64::consts::PI;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// Phases looked at for the colours; the boundary is proved and not read off them.
-const PHASES: usize = 256;
+use std::fmt::Write;
 
 /// Growth that counts as round-off in the colours.
 const ROUND_OFF: f64 = 1e-9;
@@ -54,48 +51,18 @@ pub fn plane_map(
     x: PlaneAxis,
     y: PlaneAxis,
     plan: &SearchPlan,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<PlaneMap, SchemeError> {
-    let compiled = step.compile()?;
+    progress: Progress<'_>,
+) -> Result<PlaneMap, SweepError> {
     let ys: Vec<f64> = y.values.iter().map(to_f64).collect();
     let highest = y.values.iter().max().filter(|value| value.is_positive());
     let plan = plan.clone().up_to(highest.cloned().unwrap_or_else(|| plan.max.clone()));
-    let done = AtomicUsize::new(0);
-    let columns: Vec<_> = x
-        .values
-        .par_iter()
-        .map(|value| {
-            let stable = step.with(&x.name, value)?.stable_set(&y.name, &plan)?;
-            let gains: Vec<[f64; 2]> = ys
-                .iter()
-                .map(|&second| {
-                    let values: Vec<f64> = compiled
-                        .parameters()
-                        .iter()
-                        .map(|name| if *name == x.name { to_f64(value) } else { second })
-                        .collect();
-                    (0..=PHASES).fold([0.0, f64::INFINITY], |[most, least]: [f64; 2], index| {
-                        let phase = PI * index as f64 / PHASES as f64;
-                        let multipliers = compiled.multipliers(&values, &[phase]);
-                        let gain = multipliers.iter().map(|z| z.norm()).fold(0.0, f64::max);
-                        [most.max(gain), least.min(gain)]
-                    })
-                })
-                .collect();
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, x.values.len());
-            Ok((stable, gains))
-        })
-        .collect::<Result<_, SchemeError>>()?;
-    let shape = (x.values.len(), y.values.len());
-    let which = |part: usize| Array2::from_shape_fn(shape, |(i, j)| columns[i].1[j][part]);
-    let (largest, lowest) = (which(0), which(1));
-    Ok(PlaneMap {
-        x,
-        y,
-        largest,
-        lowest,
-        stable: columns.into_iter().map(|(set, _)| set).collect(),
-    })
+    let rows = with_progress(x.values.par_iter(), progress, |value| {
+        let step = step.with(&x.name, value)?;
+        Ok((step.gain_extremes(&y.name, &ys)?, step.stable_set(&y.name, &plan)?))
+    })?;
+    let (gains, stable): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
+    let gains = GainMap::from_rows(&gains, ys.len());
+    Ok(PlaneMap { x, y, largest: 1.0 + gains.growth, lowest: gains.lowest_gain, stable })
 }
 
 impl PlaneMap {
@@ -157,13 +124,19 @@ impl PlaneMap {
     /// Every data file of the map: names that begin with `stem`, and contents.
     pub fn data_files(&self, stem: &str) -> Vec<(String, Vec<u8>)> {
         let (x, y) = (&self.x, &self.y);
-        let mut points = format!("{},{},max_gain,min_gain\n", x.name, y.name);
-        for (i, first) in x.values.iter().enumerate() {
-            for (j, second) in y.values.iter().enumerate() {
+        let text_of = |value: &Rational| to_f64(value).to_string();
+        let seconds: Vec<String> = y.values.iter().map(text_of).collect();
+        let row = |(i, first): (usize, &Rational)| {
+            let (first, mut text) = (text_of(first), String::new());
+            for (j, second) in seconds.iter().enumerate() {
                 let (most, least) = (self.largest[[i, j]], self.lowest[[i, j]]);
-                points.push_str(&format!("{},{},{most},{least}\n", to_f64(first), to_f64(second)));
+                writeln!(text, "{first},{second},{most},{least}")
+                    .expect("a string takes what is written");
             }
-        }
+            text
+        };
+        let rows: Vec<String> = x.values.par_iter().enumerate().map(row).collect();
+        let points = format!("{},{},max_gain,min_gain\n", x.name, y.name) + &rows.concat();
         let mut limits = format!("{},{}_exact,from,to,evidence\n", x.name, x.name);
         for (value, set) in x.values.iter().zip(&self.stable) {
             let row = |from: f64, to: f64| {
@@ -202,6 +175,7 @@ fn drawn(limit: f64) -> bool {
 mod tests {
     use super::*;
     use courant_analysis::exact::rational::ratio;
+    use courant_analysis::waves::sweep::no_progress;
 
     #[test]
     fn colours_and_boundary_agree() {
@@ -213,8 +187,9 @@ mod tests {
             name: name.into(),
             values: (1..=last).map(|value| ratio(value, 10)).collect(),
         };
-        let map = plane_map(&step, axis("r", 6), axis("C", 12), &SearchPlan::default(), &|_, _| {})
-            .unwrap();
+        let map =
+            plane_map(&step, axis("r", 6), axis("C", 12), &SearchPlan::default(), &no_progress)
+                .unwrap();
         for (i, r) in map.x.values.iter().enumerate() {
             for (j, c) in map.y.values.iter().enumerate() {
                 let stable = c * c <= r * ratio(2, 1) && *r <= ratio(1, 2);

@@ -7,15 +7,16 @@ use crate::figure::{
 use crate::npy;
 use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::SchemeError;
 use courant_analysis::stability::Evidence;
-use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, gain_map};
+use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, with_progress};
 use courant_simulation::advection::{AdvectionScheme, Discretisation};
 use ndarray::Array2;
 use rayon::prelude::*;
+use std::fmt::Write;
 
-/// Phases looked at before refinement.
-pub const PHASES: usize = 1000;
+/// Relative width of the limits that are drawn and written, as a power of one half: some units in the last place of an `f64`, and roots
+/// need no names.
+const LIMIT_BITS: u32 = 48;
 
 /// The growth budget whose limit is drawn beside the strict one: doubling takes 693 steps.
 pub const DRAWN_GROWTH: (i64, i64) = (1, 1000);
@@ -66,27 +67,18 @@ pub struct StabilityMap {
 /// When a ratio is out of range or the callback stops the sweep.
 pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityMap, SweepError> {
     let courant_numbers: Vec<f64> = plan.courant_numbers.iter().map(to_f64).collect();
-    let of = |l: &Rational| -> Result<Discretisation, SchemeError> {
-        Ok(Discretisation::new(plan.scheme, plan.kernel, l.clone())?)
-    };
-    let margin = |l: &Rational| Ok(of(l)?.margin());
-    let gains = gain_map(margin, &plan.ratios, &courant_numbers, PHASES, progress)?;
     let budget = ratio(DRAWN_GROWTH.0, DRAWN_GROWTH.1);
-    let limits: Result<Vec<_>, SweepError> = plan
-        .ratios
-        .par_iter()
-        .map(|l| {
-            let of = of(l)?;
-            let (strict, monotonicity) = (of.stable_set().limit(), of.monotone_set().limit());
-            let (within, monotonicity) = (
-                of.stable_set_by(&of.plan().growing(budget.clone())).limit().value(),
-                monotonicity.value(),
-            );
-            let curves = [strict.value(), within, monotonicity].map(|limit| (to_f64(l), limit));
-            Ok((strict.evidence(), curves))
-        })
-        .collect();
-    let limits = limits?;
+    let rows = with_progress(plan.ratios.par_iter(), progress, |l| {
+        let of = Discretisation::new(plan.scheme, plan.kernel, l.clone())?;
+        let search = of.plan().to_bits(LIMIT_BITS);
+        let strict = of.stable_set_by(&search).limit();
+        let within = of.stable_set_by(&search.growing(budget.clone()).knowing(&strict)).limit();
+        let limits = [&strict, &within, &of.monotone_set().limit()];
+        let curves = limits.map(|limit| (to_f64(l), limit.value()));
+        Ok((of.gain_extremes(&courant_numbers), (strict.evidence(), curves)))
+    })?;
+    let (gains, limits): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
+    let gains = GainMap::from_rows(&gains, courant_numbers.len());
     let curve = |which: usize| -> Vec<CurvePoint> {
         limits.iter().map(|(_, curves)| curves[which]).collect()
     };
@@ -249,23 +241,24 @@ impl StabilityMap {
 
     /// The grid as comma-separated values, a row for each point.
     pub fn to_csv(&self) -> String {
-        let mut text =
-            String::from("ratio,courant,max_gain,max_gain_phase,min_gain,min_gain_phase\n");
-        for (i, l) in self.plan.ratios.iter().enumerate() {
-            for (j, c) in self.plan.courant_numbers.iter().enumerate() {
+        let text_of = |value: &Rational| to_f64(value).to_string();
+        let courant_numbers: Vec<String> = self.plan.courant_numbers.iter().map(text_of).collect();
+        let row = |(i, l): (usize, &Rational)| {
+            let l = text_of(l);
+            let mut text = String::with_capacity(100 * courant_numbers.len());
+            for (j, c) in courant_numbers.iter().enumerate() {
                 let at = [i, j];
-                text.push_str(&format!(
-                    "{},{},{},{},{},{}\n",
-                    to_f64(l),
-                    to_f64(c),
-                    1.0 + self.gains.growth[at],
-                    self.gains.growth_phase[at],
-                    self.gains.lowest_gain[at],
-                    self.gains.lowest_gain_phase[at]
-                ));
+                let gains = &self.gains;
+                let (most, most_at) = (1.0 + gains.growth[at], gains.growth_phase[at]);
+                let (least, least_at) = (gains.lowest_gain[at], gains.lowest_gain_phase[at]);
+                writeln!(text, "{l},{c},{most},{most_at},{least},{least_at}")
+                    .expect("a string takes what is written");
             }
-        }
-        text
+            text
+        };
+        let rows: Vec<String> = self.plan.ratios.par_iter().enumerate().map(row).collect();
+        let heading = "ratio,courant,max_gain,max_gain_phase,min_gain,min_gain_phase\n";
+        heading.to_string() + &rows.concat()
     }
 
     /// The limit curves as comma-separated values.

@@ -101,20 +101,19 @@ fn run_scheme(
         .map_err(|error| Failure::Message(error.to_string()))?;
     bar.finish();
     let stem = format!("map_{}_{}", scheme.name(), kernel.name());
-    write(&output, &stem, &map.figure()?, map.data_files(&stem))
+    write(&output, &stem, &map.figure()?, || map.data_files(&stem))
 }
 
-/// Writes picture and data, and says where.
+/// Makes picture and data at the same time, writes them, and says where.
 fn write(
     output: &OutputDirectory,
     stem: &str,
     figure: &Figure,
-    data: Vec<(String, Vec<u8>)>,
+    data: impl FnOnce() -> Vec<(String, Vec<u8>)> + Send,
 ) -> Result<Outcome, Failure> {
-    let mut files = vec![
-        (format!("{stem}.png"), figure.png()?),
-        (format!("{stem}.svg"), figure.svg()?.into_bytes()),
-    ];
+    let (pictures, data) = rayon::join(|| figure.pictures(), data);
+    let (png, svg) = pictures?;
+    let mut files = vec![(format!("{stem}.png"), png), (format!("{stem}.svg"), svg.into_bytes())];
     files.extend(data);
     let mut text = String::new();
     for (name, bytes) in files {

@@ -80,17 +80,29 @@ impl<T: Ring> CosineSeries<T> {
     ///
     /// Clenshaw's recurrence with `2 cos φ = 2 − 4s`.
     pub fn in_powers_of_s(&self) -> Polynomial<T> {
-        let two = T::one() + T::one();
-        let twice_cosine = Polynomial::new(vec![two.clone(), -(two.clone() + two.clone())]);
-        let cosine = Polynomial::new(vec![T::one(), -two]);
-        let (mut first, mut second) = (Polynomial::zero(), Polynomial::zero());
-        for value in self.coefficients.iter().skip(1).rev() {
-            let next =
-                twice_cosine.clone() * first.clone() - second + Polynomial::constant(value.clone());
-            second = std::mem::replace(&mut first, next);
+        let twice = |value: &T| value.clone() + value.clone();
+        // `factor · (1 − 2s) first − second + value`, the factor 1 or 2.
+        let next = |first: &[T], second: &[T], value: &T, doubled: bool| -> Vec<T> {
+            let term = |power: usize| -> T {
+                let at = |of: &[T], power: usize| of.get(power).cloned().unwrap_or_else(T::zero);
+                let below =
+                    power.checked_sub(1).map_or_else(T::zero, |below| twice(&at(first, below)));
+                let cosine = at(first, power) - below;
+                let cosine = if doubled { twice(&cosine) } else { cosine };
+                let sum = cosine - at(second, power);
+                if power == 0 { sum + value.clone() } else { sum }
+            };
+            (0..=first.len()).map(term).collect()
+        };
+        let Some((constant, rest)) = self.coefficients.split_first() else {
+            return Polynomial::zero();
+        };
+        let (mut first, mut second) = (Vec::new(), Vec::new());
+        for value in rest.iter().rev() {
+            let sum = next(&first, &second, value, true);
+            second = std::mem::replace(&mut first, sum);
         }
-        let constant = self.coefficients.first().cloned().unwrap_or_else(T::zero);
-        cosine * first - second + Polynomial::constant(constant)
+        Polynomial::new(next(&first, &second, constant, false))
     }
 
     /// `4^n Σ_i a_i s^i` for a polynomial of degree at most `n`: the way back from

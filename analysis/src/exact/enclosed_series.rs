@@ -78,6 +78,11 @@ impl EnclosedSeries {
         )
     }
 
+    /// The value of the centre at `φ = 0`.
+    pub fn center_at_zero(&self) -> Rational {
+        Rational::new(self.numerators.iter().sum(), self.denominator.clone())
+    }
+
     /// Each coefficient correctly rounded.
     pub fn compile(&self) -> CosineSeries<f64> {
         self.center().map(to_f64)

@@ -181,7 +181,7 @@ pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Optio
     let coarse = (i64::from(bits) - 8).max(0) as u64;
     let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
     let scale = coarse as i64 - shift;
-    let end = |value: BigInt| Rational::from(value) * power_of_two(scale);
+    let end = |value: BigInt| times_power_of_two(value, scale);
     let (lower, upper) = (end(lower), end(upper));
     if &upper - &lower > &upper * power_of_two(4 - i64::from(bits)) {
         // Much smaller than the guess: the unit was too coarse.
@@ -205,6 +205,16 @@ fn sign_of_value(coefficients: &[BigInt], point: &Rational) -> Sign {
         weight *= point.denom();
     }
     value.sign()
+}
+
+/// `value · 2^exponent` in lowest terms, without a general gcd.
+fn times_power_of_two(value: BigInt, exponent: i64) -> Rational {
+    let Some(twos) = value.trailing_zeros() else { return Rational::zero() };
+    if exponent >= 0 {
+        return Rational::from(value << exponent.unsigned_abs());
+    }
+    let twos = twos.min(exponent.unsigned_abs());
+    Rational::new_raw(value >> twos, BigInt::one() << (exponent.unsigned_abs() - twos))
 }
 
 /// `2^exponent`.

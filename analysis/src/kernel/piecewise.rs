@@ -1,8 +1,11 @@
 //! Piecewise polynomials in `q`, exact and compiled for fast evaluation in `f64`.
 
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, integer, ratio, to_f64};
-use num_traits::Zero;
+use crate::exact::rational::{
+    Rational, common_denominator, integer, numerator_over, ratio, to_f64,
+};
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
 
 /// One polynomial on `[previous piece's end, end]`.
 #[derive(Debug, Clone)]
@@ -11,6 +14,8 @@ pub struct Piece {
     pub end: Rational,
     /// The shape in powers of `q`.
     pub shape: Polynomial<Rational>,
+    /// The shape and its two derivatives in whole numbers over one denominator: a fraction is reduced once, at the end.
+    exact: [(Vec<BigInt>, BigInt); 3],
     compiled: CompiledPiece,
 }
 
@@ -46,7 +51,12 @@ impl PiecewisePolynomial {
                 });
                 let compiled =
                     CompiledPiece { end: to_f64(&end), origin: to_f64(&origin), derivatives };
-                Piece { end, shape, compiled }
+                let exact = [&shape, &first, &second].map(|polynomial| {
+                    let common = common_denominator(polynomial.coefficients());
+                    let over = |value: &Rational| numerator_over(value, &common);
+                    (polynomial.coefficients().iter().map(over).collect(), common)
+                });
+                Piece { end, shape, exact, compiled }
             })
             .collect();
         Self { pieces }
@@ -92,12 +102,20 @@ impl PiecewisePolynomial {
         0.0
     }
 
-    /// The exact `order`-th derivative at `q ≥ 0`, at a knot that of the inner piece (the shapes here
+    /// The exact `order`-th derivative at `q ≥ 0`, `order ≤ 2`, at a knot that of the inner piece (the shapes here
     /// are at least twice continuously differentiable for `q > 0`).
     pub fn exact(&self, q: &Rational, order: usize) -> Rational {
-        self.pieces.iter().find(|piece| *q <= piece.end).map_or_else(Rational::zero, |piece| {
-            (0..order).fold(piece.shape.clone(), |shape, _| shape.derivative()).evaluate(q)
-        })
+        let Some(piece) = self.pieces.iter().find(|piece| *q <= piece.end) else {
+            return Rational::zero();
+        };
+        // Σ a_i (n/d)^i = Σ a_i n^i d^(m−i) / d^m
+        let (coefficients, denominator) = &piece.exact[order];
+        let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
+        for coefficient in coefficients.iter().rev() {
+            sum = sum * q.numer() + coefficient * &power;
+            power *= q.denom();
+        }
+        Rational::new(sum * q.denom(), power * denominator)
     }
 
     /// `∫_0^support q^power w(q) dq`, exactly.

@@ -3,7 +3,7 @@
 use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::laurent::{Laurent, VARIABLES, Variable};
 use crate::exact::matrix::{MOST_ROWS, Matrix};
-use crate::exact::rational::{Rational, common_denominator, numerator_over};
+use crate::exact::rational::Rational;
 use crate::kernel::lattice::RatioOutOfRange;
 use crate::scheme::kernel_function::KernelLattice;
 use crate::scheme::language::syntax::Equations;
@@ -11,7 +11,8 @@ use crate::scheme::language::{LanguageError, parse};
 use crate::scheme::linear::{LinearEquations, Place};
 use crate::scheme::names::{Fraction, LetterKind, Names, TooManyNames};
 use num_bigint::BigInt;
-use num_traits::Zero;
+use num_integer::Integer;
+use num_traits::{One, Zero};
 use thiserror::Error;
 
 /// A linear scheme with constant coefficients: `P(z, E; p) U = 0` on the lattice, where `z` shifts one time level, `E` one cell
@@ -295,10 +296,12 @@ pub(crate) fn denominators_at(
 
 /// The centre of a cosine series as a Laurent polynomial over an integer.
 pub(crate) fn laurent_of(series: &EnclosedSeries) -> (Laurent, Laurent) {
-    let center = series.center();
-    let common = common_denominator(center.coefficients()) * BigInt::from(2);
-    let terms = center.coefficients().iter().enumerate().flat_map(|(order, value)| {
-        let half = numerator_over(value, &common) / BigInt::from(2);
+    let shorter = |content: BigInt, value: &BigInt| {
+        if content.is_one() { content } else { content.gcd(value) }
+    };
+    let content = series.numerators().iter().fold(series.denominator().clone(), shorter);
+    let terms = series.numerators().iter().enumerate().flat_map(|(order, value)| {
+        let half = value / &content;
         let at = |sign: i16| {
             let mut exponents = [0; VARIABLES];
             exponents[1] = sign * order as i16;
@@ -306,7 +309,7 @@ pub(crate) fn laurent_of(series: &EnclosedSeries) -> (Laurent, Laurent) {
         };
         [at(1), at(-1)]
     });
-    (Laurent::new(terms.collect()), Laurent::constant(common))
+    (Laurent::new(terms.collect()), Laurent::constant(series.denominator() / &content * 2))
 }
 
 impl Names {

@@ -133,6 +133,15 @@ fn roots(coefficients: &[f64], end: f64) -> Vec<f64> {
             let root = -constant / slope;
             if root > 0.0 && root < end { vec![root] } else { Vec::new() }
         }
+        [constant, slope, leading] => {
+            // The larger root without cancellation, the other from their product.
+            let root = (slope * slope - 4.0 * leading * constant).sqrt();
+            let sum = -0.5 * (slope + root.copysign(*slope));
+            let mut found = vec![sum / leading, constant / sum];
+            found.retain(|root| *root > 0.0 && *root < end);
+            found.sort_by(f64::total_cmp);
+            found
+        }
         _ => {
             let derivative: Vec<f64> =
                 (1..).zip(&coefficients[1..]).map(|(j, a)| f64::from(j) * a).collect();

@@ -4,9 +4,17 @@
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, ratio};
 use crate::stability::margin::{CompiledMargin, Margin};
-use crate::waves::growth::Extremum;
 use num_traits::Zero;
 use std::f64::consts::{LN_2, PI};
+
+/// An extremum of `|g|` over all phases.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremum {
+    /// `|g| − 1`, free of cancellation.
+    pub growth: f64,
+    /// Where it is taken, in radians.
+    pub phase: f64,
+}
 
 /// `|g|² − 1 ≈ A(C) φ^p` for long waves, with exact `A`.
 #[derive(Debug, Clone, PartialEq)]

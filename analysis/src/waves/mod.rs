@@ -3,16 +3,19 @@
 pub mod accuracy;
 pub(crate) mod bands;
 pub mod dispersion;
-pub mod growth;
+pub(crate) mod envelope;
+pub mod gain_extremes;
 pub mod long_waves;
 pub mod modified_equation;
 pub mod multipliers;
 pub(crate) mod precise;
 mod roots;
+mod sampled_gain;
 pub mod step_growth;
 pub mod sweep;
 pub(crate) mod torus_growth;
 pub(crate) mod wave_terms;
 
+pub use gain_extremes::GainExtremes;
 pub use multipliers::{CompiledStep, WavePolynomial};
 pub use step_growth::{Growth, growth_at};

@@ -1,11 +1,9 @@
-//! Sweeps over the (smoothing ratio, Courant number) plane, in parallel over the ratios.
+//! Sweeps over the plane of two parameters, or of the smoothing ratio and one, in parallel over rows.
 
-use crate::exact::rational::Rational;
+use super::gain_extremes::GainExtremes;
 use crate::kernel::lattice::RatioOutOfRange;
-use crate::scheme::SchemeError;
-use crate::stability::margin::Margin;
-use crate::waves::growth::PhaseTable;
-use ndarray::{Array2, Axis, Zip};
+use crate::scheme::{SchemeError, Step};
+use ndarray::Array2;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -54,74 +52,69 @@ pub fn with_progress<Item, T: Send>(
         .collect()
 }
 
-/// The extreme amplification factors over the plane; every array is `[ratio, Courant number]`.
+/// The extreme amplification factors over a plane; every array is `[row, value]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GainMap {
-    /// `max_φ |g| − 1`.
+    /// `max_φ |z| − 1`.
     pub growth: Array2<f64>,
     /// Where it is taken, in radians.
     pub growth_phase: Array2<f64>,
-    /// `min_φ |g|`: what is left of the most damped wave.
+    /// `min_φ |z|` of the largest multiplier: what is left of the most damped wave.
     pub lowest_gain: Array2<f64>,
     /// Where it is taken, in radians.
     pub lowest_gain_phase: Array2<f64>,
 }
 
-/// For every ratio, with the margin `1 − |g|²` of the scheme there, and every Courant number the largest and the smallest `|g|` over all phases, on at least
-/// `phases` samples with refinement in between (to 1e-10 of the true extremum).
+impl GainMap {
+    /// From rows of `columns` values each.
+    ///
+    /// # Panics
+    /// When a row has another length.
+    pub fn from_rows(rows: &[GainExtremes], columns: usize) -> Self {
+        let array = |of: fn(&GainExtremes) -> &[f64]| {
+            let values = rows.iter().flat_map(|row| of(row).iter().copied()).collect();
+            Array2::from_shape_vec((rows.len(), columns), values).expect("rows are equally long")
+        };
+        Self {
+            growth: array(|row| &row.growth),
+            growth_phase: array(|row| &row.growth_phase),
+            lowest_gain: array(|row| &row.lowest_gain),
+            lowest_gain_phase: array(|row| &row.lowest_gain_phase),
+        }
+    }
+}
+
+/// For every row, with the step there, and every value of its parameter the [extreme gains](Step::gain_extremes) over all waves.
 ///
 /// The result does not depend on the number of threads.
 ///
 /// # Errors
-/// The error of a margin, or that the callback stopped the sweep.
-pub fn gain_map(
-    margin: impl Fn(&Rational) -> Result<Margin, SchemeError> + Sync + Send,
-    ratios: &[Rational],
-    courant_numbers: &[f64],
-    phases: usize,
+/// The error of a step, or that the callback stopped the sweep.
+pub fn gain_map<Row: Sync>(
+    rows: &[Row],
+    step: impl Fn(&Row) -> Result<Step, SchemeError> + Sync + Send,
+    parameter: &str,
+    values: &[f64],
     progress: Progress<'_>,
 ) -> Result<GainMap, SweepError> {
-    let shape = (ratios.len(), courant_numbers.len());
-    let mut map = GainMap {
-        growth: Array2::zeros(shape),
-        growth_phase: Array2::zeros(shape),
-        lowest_gain: Array2::zeros(shape),
-        lowest_gain_phase: Array2::zeros(shape),
-    };
-    let rows = with_progress(ratios.par_iter(), progress, |ratio| {
-        let table = PhaseTable::new(margin(ratio)?.compile(), phases);
-        let mut scratch = Vec::new();
-        let extrema = courant_numbers.iter().map(|&c| table.extrema(c, &mut scratch));
-        Ok(extrema.collect::<Vec<_>>())
+    let rows = with_progress(rows.par_iter(), progress, |row| {
+        Ok(step(row)?.gain_extremes(parameter, values)?)
     })?;
-    for (index, row) in rows.into_iter().enumerate() {
-        Zip::from(map.growth.index_axis_mut(Axis(0), index))
-            .and(map.growth_phase.index_axis_mut(Axis(0), index))
-            .and(map.lowest_gain.index_axis_mut(Axis(0), index))
-            .and(map.lowest_gain_phase.index_axis_mut(Axis(0), index))
-            .and(&ndarray::Array1::from(row))
-            .for_each(|growth, growth_phase, lowest, lowest_phase, (largest, smallest)| {
-                *growth = largest.growth;
-                *growth_phase = largest.phase;
-                *lowest = 1.0 + smallest.growth;
-                *lowest_phase = smallest.phase;
-            });
-    }
-    Ok(map)
+    Ok(GainMap::from_rows(&rows, values.len()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::rational::{integer, ratio};
+    use crate::exact::rational::{Rational, ratio};
     use crate::kernel::Kernel;
     use crate::scheme::testing::sph;
 
-    fn margin(
+    fn step(
         scheme: &'static str,
         kernel: Kernel,
-    ) -> impl Fn(&Rational) -> Result<Margin, SchemeError> + Sync + Send {
-        move |ratio| Ok(sph(scheme, kernel, ratio).gain_margin("C", &integer(0))?.unwrap())
+    ) -> impl Fn(&Rational) -> Result<Step, SchemeError> + Sync + Send {
+        move |ratio| Ok(sph(scheme, kernel, ratio))
     }
 
     fn axes() -> (Vec<Rational>, Vec<f64>) {
@@ -136,8 +129,8 @@ mod tests {
         let run = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
-                let godunov = margin("godunov-sph", Kernel::Gaussian);
-                gain_map(godunov, &ratios, &courant_numbers, 200, &no_progress).unwrap()
+                let godunov = step("godunov-sph", Kernel::Gaussian);
+                gain_map(&ratios, godunov, "C", &courant_numbers, &no_progress).unwrap()
             })
         };
         assert_eq!(run(1), run(3));
@@ -147,8 +140,8 @@ mod tests {
     fn a_sweep_can_be_cancelled_and_reports_every_row() {
         let (ratios, courant_numbers) = axes();
         let sweep = |progress: Progress<'_>| {
-            let lax_wendroff = margin("lax-wendroff-sph", Kernel::CubicSpline);
-            gain_map(lax_wendroff, &ratios, &courant_numbers, 100, progress)
+            let lax_wendroff = step("lax-wendroff-sph", Kernel::CubicSpline);
+            gain_map(&ratios, lax_wendroff, "C", &courant_numbers, progress)
         };
         let rows = AtomicUsize::new(0);
         let count = |_: usize, all: usize| {
@@ -164,17 +157,17 @@ mod tests {
     #[test]
     fn rows_and_columns_are_where_they_belong() {
         let map = gain_map(
-            margin("godunov-sph", Kernel::CubicSpline),
             &[ratio(1, 1), ratio(2, 1)],
+            step("godunov-sph", Kernel::CubicSpline),
+            "C",
             &[0.5, 1.0, 2.0],
-            100,
             &no_progress,
         )
         .unwrap();
         // Ratio 1 is the upwind scheme: |g| ≤ 1 up to C = 1, and |1 − 2C| at the shortest wave.
         assert_eq!(map.growth[[0, 1]], 0.0);
         assert!((map.growth[[0, 2]] - 2.0).abs() < 1e-14);
-        assert!((map.lowest_gain[[0, 0]]).abs() < 1e-7);
+        assert!((map.lowest_gain[[0, 0]]).abs() < 1e-13);
         assert!(map.growth[[1, 2]] > 0.0 && map.growth[[1, 1]] == 0.0);
     }
 }

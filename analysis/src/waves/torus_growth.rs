@@ -42,8 +42,9 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
         let all = compiled.differences(&[], phases).into_iter().map(excess);
         all.fold(f64::NEG_INFINITY, f64::max)
     };
-    let mut starts: Vec<(f64, Vec<f64>)> =
-        grid(step.dimension(), steps).map(|phases| (sampled(&phases), phases)).collect();
+    let mut starts: Vec<(f64, Vec<f64>)> = half_of_all_waves(step.dimension(), steps)
+        .map(|phases| (sampled(&phases), phases))
+        .collect();
     starts.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut apart: Vec<Vec<f64>> = Vec::new();
     for (_, phases) in starts {
@@ -102,8 +103,8 @@ fn neutral(precise: &PreciseStep, dimension: usize) -> Option<Growth> {
     })
 }
 
-/// Half of all waves: the others are their conjugates.
-fn grid(dimension: usize, steps: usize) -> impl Iterator<Item = Vec<f64>> {
+/// Half of all waves on a grid of so many, an even number, along each axis: the others are their conjugates.
+pub(super) fn half_of_all_waves(dimension: usize, steps: usize) -> impl Iterator<Item = Vec<f64>> {
     let phase = move |index: usize| TAU * index as f64 / steps as f64 - PI;
     let count = (steps / 2 + 1) * steps.pow(dimension as u32 - 1);
     (0..count).map(move |mut number| {

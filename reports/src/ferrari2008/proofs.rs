@@ -53,7 +53,7 @@ fn cost_figure(detail: Detail) -> Result<Item, ReportError> {
     let mut csv = String::from("scheme,ratio,method,size,relative_error,seconds\n");
     for (name, l, title) in cases {
         let of = scheme(name, Kernel::CubicSpline, &l);
-        let rows = accuracy_study(&of.step(), "C", &of.plan().max, repetitions)
+        let rows = accuracy_study(of.step(), "C", &of.plan().max, repetitions)
             .expect("only the Courant number is free");
         for row in &rows {
             csv.push_str(&format!(

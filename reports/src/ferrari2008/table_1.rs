@@ -7,7 +7,6 @@ use courant_analysis::exact::rational::{Rational, integer, parse, to_f64};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::stability::margin::Margin;
 use courant_analysis::stability::{ExactValue, Limit, phase_grid, sampled_stability_limit};
-use courant_analysis::waves::growth::PhaseTable;
 use courant_simulation::advection::{AdvectionScheme, Discretisation};
 
 /// The phases the paper must have used, in radians: every value of its stability rows follows from this
@@ -120,9 +119,7 @@ impl Table1 {
             } else {
                 discretisation.monotone_set().limit()
             };
-            let growth = || {
-                PhaseTable::new(margin.compile(), 1000).extrema(printed, &mut Vec::new()).0.growth
-            };
+            let growth = || discretisation.gain_extremes(&[printed]).growth[0];
             Entry {
                 difference_percent: 100.0 * (printed / limit.value() - 1.0),
                 recipe: stability.then(|| recipe(&margin, &phases)),

@@ -37,7 +37,7 @@ pub(super) fn png(scene: &Scene, dpi: f64) -> Result<Vec<u8>, FigureError> {
     }));
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     encoder.set_filter(png::FilterType::Up);
-    encoder.set_compression(png::Compression::Default);
+    encoder.set_compression(png::Compression::Fast);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&bitmap.pixels)?;
     writer.finish()?;

@@ -109,6 +109,16 @@ impl Figure {
         Ok(svg::svg(&self.scene()?))
     }
 
+    /// [PNG](Self::png) and [SVG](Self::svg) of one layout, drawn at the same time.
+    ///
+    /// # Errors
+    /// As [`Figure::png`].
+    pub fn pictures(&self) -> Result<(Vec<u8>, String), FigureError> {
+        let scene = self.scene()?;
+        let (png, svg) = rayon::join(|| bitmap::png(&scene, DPI), || svg::svg(&scene));
+        Ok((png?, svg))
+    }
+
     fn scene(&self) -> Result<Scene, FigureError> {
         let (rows, columns) = (self.rows, self.columns);
         if self.panels.len() > rows * columns || self.panels.is_empty() {

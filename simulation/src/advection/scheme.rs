@@ -3,11 +3,12 @@
 use courant_analysis::exact::rational::{Rational, from_f64, integer, to_f64};
 use courant_analysis::exact::stencil::Stencil;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::kernel::lattice::{LatticeWeights, RatioOutOfRange};
+use courant_analysis::kernel::lattice::RatioOutOfRange;
 use courant_analysis::scheme::catalogue::{self, SchemeFile};
 use courant_analysis::scheme::{OneStep, Step};
 use courant_analysis::stability::margin::Margin;
 use courant_analysis::stability::{SearchPlan, StableSet};
+use courant_analysis::waves::GainExtremes;
 
 /// The advection schemes of Ferrari et al. 2008, section 2: which running code advances. What each is stands in the catalogue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -56,7 +57,7 @@ impl AdvectionScheme {
     /// # Errors
     /// When the ratio is out of range.
     pub fn step(self, kernel: Kernel, ratio: &Rational) -> Result<Step, RatioOutOfRange> {
-        LatticeWeights::new(kernel, ratio)?;
+        RatioOutOfRange::check(ratio)?;
         Ok(self.file().with_kernel(kernel, ratio).expect("its equations step with any kernel"))
     }
 }
@@ -84,11 +85,19 @@ impl std::str::FromStr for AdvectionScheme {
 /// let scheme = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, ratio(2, 1));
 /// assert_eq!(scheme.unwrap().stable_set().limit().exact().unwrap().to_string(), "15/8");
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Discretisation {
     scheme: AdvectionScheme,
     kernel: Kernel,
     ratio: Rational,
+    step: Step,
+}
+
+impl PartialEq for Discretisation {
+    /// The step follows from the rest.
+    fn eq(&self, other: &Self) -> bool {
+        (self.scheme, self.kernel, &self.ratio) == (other.scheme, other.kernel, &other.ratio)
+    }
 }
 
 impl Discretisation {
@@ -101,8 +110,8 @@ impl Discretisation {
         kernel: Kernel,
         ratio: Rational,
     ) -> Result<Self, RatioOutOfRange> {
-        LatticeWeights::new(kernel, &ratio)?;
-        Ok(Self { scheme, kernel, ratio })
+        let step = scheme.step(kernel, &ratio)?;
+        Ok(Self { scheme, kernel, ratio, step })
     }
 
     /// The update rule.
@@ -121,8 +130,8 @@ impl Discretisation {
     }
 
     /// The scheme, its Courant number `C` left free.
-    pub fn step(&self) -> Step {
-        self.scheme.step(self.kernel, &self.ratio).expect("the ratio was looked at")
+    pub fn step(&self) -> &Step {
+        &self.step
     }
 
     /// Its coefficients in powers of the Courant number.
@@ -143,6 +152,12 @@ impl Discretisation {
     pub fn margin(&self) -> Margin {
         let margin = self.step().gain_margin(COURANT_NUMBER, &integer(0));
         margin.ok().flatten().expect("the schemes here are explicit")
+    }
+
+    /// The extreme gains over all waves at many Courant numbers.
+    pub fn gain_extremes(&self, courant_numbers: &[f64]) -> GainExtremes {
+        let extremes = self.step().gain_extremes(COURANT_NUMBER, courant_numbers);
+        extremes.expect("only the Courant number is free")
     }
 
     /// Courant numbers up to `10 + 4 l/Δξ` are looked at, far beyond any limit, about `1.2 l/Δξ`.

@@ -12,7 +12,8 @@ use clap::Args;
 use courant::analysis::certificate::{self, Certificate, certify_monotonicity, certify_stability};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::stability::{
-    DEFAULT_BITS, Limit, SearchPlan, SingularStep, StableSet, Wave, sampled_stability_limit,
+    DEFAULT_BITS, Limit, Refinement, SearchPlan, SingularStep, StableSet, Wave,
+    sampled_stability_limit,
 };
 use courant::reports::certificate_file;
 use courant::reports::number::finite;

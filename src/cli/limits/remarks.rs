@@ -108,8 +108,8 @@ pub(super) fn remarks(
                  among them: its amplitude grows like the number of steps"
             ));
         }
-        match &answer.refinement {
-            Some(Refinement::OfLongWaves(rule)) => {
+        match answer.refinement {
+            Some(Refinement::OfLongWaves(ref rule)) => {
                 let exponent = to_text(&rule.exponent);
                 add(format!(
                     "on N cells the longest wave has the phase 2π/N, and none grows up to about {symbol} = {} (2π/N)^({exponent}): {} on 100 cells, \
@@ -123,7 +123,7 @@ pub(super) fn remarks(
             Some(Refinement::OfAllWaves { power }) => add(format!(
                 "waves of every length grow, |z|² − 1 ∝ {symbol}^{power}: bounded up to a given time where {symbol}^{power} ≤ const Δt. Where {symbol} ∝ Δt/Δx \
                  that is Δt ≤ const Δx^({})",
-                to_text(&ratio(*power as i64, *power as i64 - 1)),
+                to_text(&ratio(power as i64, power as i64 - 1)),
             )),
             None => {}
         }

@@ -6,6 +6,7 @@ use crate::cli::subject::{Defaults, Subject};
 use crate::cli::{Failure, Outcome, numbers};
 use courant::analysis::scheme::catalogue;
 use courant::analysis::stability::SearchPlan;
+use courant::analysis::waves::sweep::SweepError;
 use courant::reports::plane_map::{PlaneAxis, plane_map};
 use courant::reports::publish::OutputDirectory;
 
@@ -36,11 +37,13 @@ pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcom
     let mut maps = Vec::new();
     for (index, subject) in subjects.iter().enumerate() {
         let step = subject.plane(x, y)?;
-        let progress = |done: usize, all: usize| {
-            let _ = bar.advance(index * all + done, all * subjects.len());
-        };
+        let progress =
+            |done: usize, all: usize| bar.advance(index * all + done, all * subjects.len());
         let map = plane_map(&step, x.clone(), y.clone(), &SearchPlan::default(), &progress)
-            .map_err(|error| subject.failure(&error))?;
+            .map_err(|error| match error {
+                SweepError::Scheme(error) => subject.failure(&error),
+                other => refuse(other.to_string()),
+            })?;
         maps.push((subject, map));
     }
     bar.finish();
@@ -48,7 +51,7 @@ pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcom
     for (subject, map) in maps {
         let title: Vec<String> = subject.labels().into_iter().map(|label| label.caption).collect();
         let stem = format!("map_{}_{}_{}", stem(subject), x.name, y.name);
-        super::write(&output, &stem, &map.figure(&title.join(", "))?, map.data_files(&stem))?;
+        super::write(&output, &stem, &map.figure(&title.join(", "))?, || map.data_files(&stem))?;
     }
     Ok(Outcome::Yes)
 }

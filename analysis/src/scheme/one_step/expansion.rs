@@ -42,7 +42,7 @@ pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coeffici
 
     let mut values: BTreeMap<usize, Shifts> = BTreeMap::new();
     for (variable, letter) in step.names.letters() {
-        values.insert(variable.0, number(&letter.value.center().at_zero(), letter.value.radius()));
+        values.insert(variable.0, number(&letter.value.center_at_zero(), letter.value.radius()));
     }
     // In one dimension the places of the other axes are free, and so are those without a name.
     let mut free = (4 + step.names.all().len()..VARIABLES).chain([2, 3, 0]).map(Variable);

@@ -221,12 +221,14 @@ pub(crate) fn fraction_or_root(
     to: &Rational,
     bits: u32,
 ) -> Option<RealRoot> {
-    let narrow = root_near(&coefficients, guess, bits.max(FRACTION_BITS));
-    let exact = Polynomial::new(coefficients.into_iter().map(Rational::from).collect());
-    if exact.degree() == Some(1) {
-        let value = -exact.coefficient(0) / exact.coefficient(1);
+    if let [constant, slope] = coefficients.as_slice()
+        && !slope.is_zero()
+    {
+        let value = Rational::new(-constant, slope.clone());
         return Some(RealRoot { lower: value.clone(), upper: value });
     }
+    let narrow = root_near(&coefficients, guess, bits.max(FRACTION_BITS));
+    let exact = Polynomial::new(coefficients.into_iter().map(Rational::from).collect());
     match narrow {
         Some(root) => {
             let simplest = simplest_between(&root.lower, &root.upper);

@@ -55,7 +55,7 @@ pub(super) fn table() -> Item {
         "Godunov, cubic, ratio 1, C = 1/2: relative error of 1 − |g|²".into(),
         significant((margin.at(0.5, phase) / exact - 1.0).abs(), 2),
     ]);
-    let shift = check(&godunov(&integer(1)).step(), "C", &integer(1), &SearchPlan::default())
+    let shift = check(godunov(&integer(1)).step(), "C", &integer(1), &SearchPlan::default())
         .expect("only the Courant number is free");
     table.push([
         "exactly neutral".into(),
