@@ -191,3 +191,63 @@ fn verdicts_on_both_sides_of_the_limits_of_the_catalogue() {
         }
     }
 }
+
+#[test]
+fn an_end_that_is_no_fraction_is_met_within_its_last_digits() {
+    // C + C² ≤ 1: the golden section.
+    let golden = "u[n+1,j] = u[n,j] - (C + C^2)*(u[n,j] - u[n,j-1])";
+    let step = Step::from_text(golden).unwrap();
+    let limit = step.limit("C").unwrap();
+    assert!(limit.lower() < limit.upper());
+    let at =
+        |value: f64| check(&step, "C", &from_f64(value).unwrap(), &SearchPlan::default()).unwrap();
+    let (below, there) = (at(limit.lower().next_down()), at(limit.lower()));
+    assert_eq!((below.verdict, there.verdict), (Verdict::Stable, Verdict::Marginal));
+    // The wave that binds, and above the one that grows.
+    assert_eq!(there.critical_phase(), limit.critical_phase());
+    let above = at(limit.upper());
+    assert_eq!(above.verdict, Verdict::WeaklyUnstable);
+    assert_eq!(above.critical_phase(), Some(above.growth.phase));
+    // The end itself may be anywhere between; where only the proof ends there is no end to be met.
+    let met = |evidence| {
+        let end = Limit::between(0.5, 1.0, evidence);
+        ["0.4", "1/2", "3/4", "1", "1.1"].map(|value| is_at(&end, &parse(value).unwrap()))
+    };
+    assert_eq!(met(Evidence::Enclosed), [false, true, true, true, false]);
+    assert_eq!(met(Evidence::Undecided), [false; 5]);
+    let zero = Limit::exactly(crate::stability::ExactValue::Fraction(integer(0)), Evidence::Proved);
+    assert!(!is_at(&zero, &integer(0)));
+}
+
+#[test]
+fn a_budget_of_a_hundred_boxes_is_enough_to_be_answered() {
+    let step = Step::from_text(UPWIND).unwrap();
+    let verdict = |budget| {
+        let plan = SearchPlan { budget, ..SearchPlan::default() };
+        check(&step, "C", &ratio(1, 2), &plan).unwrap().verdict
+    };
+    assert_eq!([99, 100].map(verdict), [Verdict::Undecided, Verdict::Stable]);
+}
+
+#[test]
+fn monotone_as_far_as_the_data_tell() {
+    // 1 − 2C (1/2 + 1/4 ± 2/1000) ends between 1/1.504 and 1/1.496.
+    let weights = crate::kernel::lattice::LatticeWeights {
+        gradient: vec![ratio(1, 2), ratio(1, 4)],
+        curvature: vec![integer(-2), integer(1), integer(0)],
+        radius: ratio(1, 1000),
+    };
+    let lattice = KernelLattice::from_weights(integer(1), weights);
+    let godunov = catalogue::scheme("godunov-sph").unwrap();
+    let step = godunov.step(Some(&lattice), None, &[], Some("C")).unwrap();
+    let monotone = ["0.66", "2/3", "0.67"].map(|value| judge(&step, value).monotone);
+    assert_eq!(monotone, [Some(true), None, Some(false)]);
+}
+
+#[test]
+fn the_growth_of_an_instability_that_is_called_weak() {
+    // |g| = 1 + C for every wave.
+    let text = |value: &str| text("u[n+1,j] = (1 + C)*u[n,j-1]", value).verdict;
+    let (weak, strong) = (Verdict::WeaklyUnstable, Verdict::Unstable);
+    assert_eq!(["0.000099", "0.0001", "0.000101"].map(text), [weak, weak, strong]);
+}
