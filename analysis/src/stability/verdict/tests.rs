@@ -251,3 +251,16 @@ fn the_growth_of_an_instability_that_is_called_weak() {
     let (weak, strong) = (Verdict::WeaklyUnstable, Verdict::Unstable);
     assert_eq!(["0.000099", "0.0001", "0.000101"].map(text), [weak, weak, strong]);
 }
+
+#[test]
+fn strict_demands_hold_nearby_whatever_the_search_leaves_open() {
+    // g = 1 − C ((s − 1/2)² + (C − 1)²)/4: neutral for one wave at C = 1, damped on both sides; with few bits the search stops there.
+    let touching = "u[n+1,j] = u[n,j] - C/4*((6*u[n,j] - 4*u[n,j+1] - 4*u[n,j-1] + u[n,j+2] + u[n,j-2])/16 \
+                    - (2*u[n,j] - u[n,j+1] - u[n,j-1])/4 + (1/4 + (C - 1)^2)*u[n,j])";
+    let step = Step::from_text(touching).unwrap();
+    let plan = SearchPlan::default().up_to(ratio(3, 2)).to_bits(40);
+    let verdict = |value: &str| check(&step, "C", &parse(value).unwrap(), &plan).unwrap().verdict;
+    let (stable, marginal) = (Verdict::Stable, Verdict::Marginal);
+    assert_eq!(["0.9", "1", "1.2"].map(verdict), [stable, marginal, stable]);
+    assert!(stable.is_stable() && marginal.is_stable() && !Verdict::Undecided.is_stable());
+}
