@@ -20,3 +20,24 @@ fn every_refusal_of_the_document_is_given() {
     }
     assert!(count >= 14, "{count} rows");
 }
+
+/// Questions with a parameter that has no value are answered by its name, not by a number.
+#[test]
+fn what_has_no_value_is_named() {
+    use courant_analysis::exact::rational::integer;
+    use courant_analysis::scheme::SchemeError;
+    use courant_analysis::stability::{SearchPlan, decide_step_at, multiplicity_at};
+    let text = "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1]) + D*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
+    let (step, plan) = (Step::from_text(text).unwrap(), SearchPlan::default());
+    let missing = SchemeError::NotSet(vec!["D".into()]);
+    assert_eq!(step.stable_set("C", &plan).unwrap_err(), missing);
+    assert_eq!(step.monotone_set("C", &plan).unwrap_err(), missing);
+    let both = SchemeError::NotSet(vec!["C".into(), "D".into()]);
+    assert_eq!(decide_step_at(&step, &integer(0)).unwrap_err(), both);
+    assert_eq!(multiplicity_at(&step).unwrap_err(), both);
+    let set = step.with("D", &integer(0)).unwrap();
+    assert!(set.stable_set("C", &plan).is_ok() && set.monotone_set("C", &plan).is_ok());
+    // The language has axes that the analysis has not.
+    let plane = Step::from_text("u[n+1,i,j] = u[n,i,j] - C*(u[n,i,j] - u[n,i-1,j])").unwrap();
+    assert_eq!(plane.stable_set("C", &plan).unwrap_err(), SchemeError::Dimension(2));
+}

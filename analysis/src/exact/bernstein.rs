@@ -160,7 +160,7 @@ impl MarginForm {
                     }
                 }
             }
-            if work.boxes + pending.len() >= max_boxes {
+            if work.boxes + pending.len() + 2 > max_boxes {
                 return (Sign::Undecided, work);
             }
             let (left, right) = halve(current, |sum, _, level| sum >> level);
@@ -276,7 +276,7 @@ pub fn is_negative_integer_polynomial(
     }
     match (positive, negative) {
         (true, true) => None,
-        (positive, negative) => Some(negative && !positive),
+        (_, negative) => Some(negative),
     }
 }
 

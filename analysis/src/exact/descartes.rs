@@ -140,6 +140,7 @@ mod tests {
         // A double root is not isolated.
         let double = Polynomial::new(vec![BigInt::from(1), BigInt::from(-6), BigInt::from(9)]);
         assert_eq!(isolate(&double, &integer(0), &integer(1), 60), None);
+        assert_eq!(isolate(&Polynomial::zero(), &integer(0), &integer(1), 60), None);
     }
 
     proptest! {

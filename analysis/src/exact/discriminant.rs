@@ -304,6 +304,14 @@ mod tests {
     }
 
     #[test]
+    fn degrees_that_drop_by_two_change_the_sign() {
+        // Of s⁴ + q s + r it is 256 r³ − 27 q⁴, up to its sign; only where q is not zero do the degrees go 4, 3, 1.
+        let p = |values: &[i64]| Polynomial::new(values.iter().map(|&v| v.into()).collect());
+        let found = Bivariate::new(vec![p(&[1, 0, 0, 0, 1]), p(&[0, 1])]).discriminant();
+        assert_eq!(found, p(&[-256, 0, 0, 0, 27]));
+    }
+
+    #[test]
     fn the_cost_is_counted_beforehand() {
         let p = |values: &[i64]| Polynomial::new(values.iter().map(|&v| v.into()).collect());
         let cost = Bivariate::new(vec![p(&[1, 2, 3, 4]), p(&[4, 3, 2, 1])]).cost();

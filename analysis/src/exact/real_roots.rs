@@ -114,36 +114,36 @@ impl SturmChain {
     /// Shrinks an interval `(lower, upper]` with exactly one root, and recognises a fraction.
     fn refine(&self, mut lower: Rational, mut upper: Rational, bits: u32) -> RealRoot {
         let polynomial = &self.chain[0];
-        let is_root = |point: &Rational| polynomial.evaluate(point).is_zero();
+        // The end below does not belong to the interval, and may be another root.
+        let simplest_root = |lower: &Rational, upper: &Rational| {
+            let simplest = simplest_between(lower, upper);
+            (simplest > *lower && polynomial.evaluate(&simplest).is_zero())
+                .then(|| RealRoot { lower: simplest.clone(), upper: simplest })
+        };
         let fine = ratio(1, 2).pow(bits as i32);
         while &upper - &lower > &fine * upper.abs().max(lower.abs()) {
-            let simplest = simplest_between(&lower, &upper);
-            if simplest > lower && is_root(&simplest) {
-                return RealRoot { lower: simplest.clone(), upper: simplest };
+            if let Some(root) = simplest_root(&lower, &upper) {
+                return root;
             }
             let middle = (&lower + &upper) / integer(2);
             if self.count(&lower, &middle) == 1 { upper = middle } else { lower = middle }
         }
-        let simplest = simplest_between(&lower, &upper);
-        if is_root(&simplest) {
-            return RealRoot { lower: simplest.clone(), upper: simplest };
-        }
-        RealRoot { lower, upper }
+        simplest_root(&lower, &upper).unwrap_or(RealRoot { lower, upper })
     }
 }
 
 /// Divided by the positive content, so that coefficients stay small integers.
 fn primitive(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
     let coefficients = polynomial.coefficients();
-    let Some(first) = coefficients.iter().find(|value| !value.is_zero()) else {
-        return Polynomial::zero();
-    };
-    let (numerator, denominator) = coefficients.iter().filter(|value| !value.is_zero()).fold(
-        (first.numer().abs(), BigInt::one()),
+    let (numerator, denominator) = coefficients.iter().fold(
+        (BigInt::zero(), BigInt::one()),
         |(numerator, denominator), value| {
             (numerator.gcd(value.numer()), denominator.lcm(value.denom()))
         },
     );
+    if numerator.is_zero() {
+        return Polynomial::zero();
+    }
     polynomial.scale(&Rational::new(denominator, numerator))
 }
 
@@ -153,16 +153,16 @@ fn primitive(polynomial: &Polynomial<Rational>) -> Polynomial<Rational> {
 pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Option<RealRoot> {
     // Unit of t: about 2^−3·bits of its size. The largest coefficient has twice as many.
     let digits = 3 * i64::from(bits);
-    let shift = digits - guess.log2().ceil() as i64;
+    // A guess beyond that unit is so large that the highest coefficients would be cut off whole.
+    let shift = u64::try_from(digits - guess.log2().ceil() as i64).ok()?;
     let largest = coefficients.iter().map(|value| value.bits() as i64).max()?;
     let cut = largest - 2 * digits;
     let rounded: Vec<BigInt> = coefficients
         .iter()
         .map(|value| if cut >= 0 { value >> cut as u64 } else { value << (-cut) as u64 })
         .collect();
-    let unit =
-        |value: BigInt| if shift >= 0 { value >> shift as u64 } else { value << (-shift) as u64 };
-    let mut root = (from_f64(guess)? * power_of_two(shift)).to_integer();
+    let unit = |value: BigInt| value >> shift;
+    let mut root = (from_f64(guess)? * power_of_two(shift as i64)).to_integer();
     // The digits double in each step, from about ten bits on.
     for _ in 0..(bits / 5).max(2).ilog2() + 2 {
         let (mut value, mut slope) = (BigInt::zero(), BigInt::zero());
@@ -173,14 +173,13 @@ pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Optio
         if slope.is_zero() {
             return None;
         }
-        let step = if shift >= 0 { value << shift as u64 } else { value >> (-shift) as u64 };
-        root -= step / slope;
+        root -= (value << shift) / slope;
     }
     let margin: BigInt = root.abs() >> u64::from(bits);
     // Ends with few digits keep the exact evaluations cheap.
     let coarse = (i64::from(bits) - 8).max(0) as u64;
     let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
-    let scale = coarse as i64 - shift;
+    let scale = coarse as i64 - shift as i64;
     let end = |value: BigInt| times_power_of_two(value, scale);
     let (lower, upper) = (end(lower), end(upper));
     if &upper - &lower > &upper * power_of_two(4 - i64::from(bits)) {
@@ -243,6 +242,47 @@ mod tests {
         assert_eq!(chain.count(&integer(3), &integer(9)), 0);
         assert_eq!(real_roots(&p, &integer(0), &integer(9), 60).len(), 3);
         assert!(real_roots(&Polynomial::zero(), &integer(0), &integer(1), 60).is_empty());
+    }
+
+    #[test]
+    fn a_root_at_the_open_end_is_not_taken_for_the_one_inside() {
+        // 1 and √2; 1 and 1 + 2^−100, which 60 bits do not tell apart.
+        let beside = from_roots(&[integer(1)]) * Polynomial::new([-2, 0, 1].map(integer).to_vec());
+        let [root] = &real_roots(&beside, &integer(1), &integer(2), 60)[..] else {
+            panic!("√2 alone")
+        };
+        assert!(&root.lower * &root.lower < integer(2) && integer(2) < &root.upper * &root.upper);
+        let close = integer(1) + power_of_two(-100);
+        let [root] = &real_roots(
+            &from_roots(&[integer(1), close.clone()]),
+            &integer(1),
+            &integer(2),
+            60,
+        )[..] else {
+            panic!("one root above 1")
+        };
+        assert!(root.lower <= close && close <= root.upper && root.exact().is_none());
+    }
+
+    #[test]
+    fn newtons_method_needs_no_more_than_ten_bits() {
+        for bits in [20, 400] {
+            // √2 · 2^exponent from a guess with an error of a thousandth.
+            for exponent in [0, 10, -10] {
+                let guess = 2f64.sqrt() * 1.001 * 2f64.powi(exponent);
+                let radicand = integer(2) * power_of_two(2 * i64::from(exponent));
+                let coefficients = [-radicand.numer(), BigInt::zero(), radicand.denom().clone()];
+                let root = root_near(&coefficients, guess, bits);
+                let root = root.unwrap_or_else(|| panic!("{bits} {exponent}"));
+                assert!(
+                    &root.lower * &root.lower < radicand && radicand < &root.upper * &root.upper
+                );
+            }
+        }
+        assert!(root_near(&[-1, 1].map(BigInt::from), 1e30, 20).is_none());
+        // A double root has the same sign on both sides, and a flat spot no tangent.
+        assert!(root_near(&[1, -2, 1].map(BigInt::from), 1.0, 60).is_none());
+        assert!(root_near(&[2, -2, 1].map(BigInt::from), 1.0, 60).is_none());
     }
 
     proptest! {

@@ -52,12 +52,6 @@ pub struct Requirement {
 pub struct Conditions {
     /// Together they hold where all multipliers lie in the closed disc, but for a thin set of waves.
     pub requirements: Vec<Requirement>,
-    /// The part of `χ` whose roots lie on the circle or in pairs `z, 1/z̄` identically; 1 if there is none.
-    pub on_circle: Laurent,
-    /// The factor of `χ` without `z`; where it vanishes the step is singular.
-    pub content: Laurent,
-    /// The leading coefficient of `χ`; where it vanishes a multiplier is infinite, or the step is singular.
-    pub leading: Laurent,
     /// The conditions contradict one another for every wave: a multiplier is always outside.
     pub nowhere: bool,
     /// A condition vanishes only because squares of square roots are numbers: what else has common roots then is not looked at.
@@ -89,9 +83,7 @@ impl Conditions {
                 radius.numer().pow(power as u32) * radius.denom().pow((degree - power) as u32);
             *coefficient = coefficient.scaled(&factor);
         }
-        let leading = coefficients[degree].clone();
-        let mut conditions =
-            Self { content, leading, on_circle: Laurent::integer(1), ..Self::default() };
+        let mut conditions = Self::default();
         conditions.add(coefficients, false, names);
         for requirement in &mut conditions.requirements {
             let reduced = names.reduce(std::mem::take(&mut requirement.polynomial));
@@ -105,9 +97,6 @@ impl Conditions {
     fn add(&mut self, coefficients: Vec<Laurent>, on_circle: bool, names: &Names) {
         let coefficients = without_content(coefficients);
         let degree = coefficients.len() - 1;
-        if degree == 0 {
-            return;
-        }
         let reversed: Vec<Laurent> = coefficients.iter().rev().map(Laurent::conjugate).collect();
         let proportional = (0..=degree).all(|m| {
             let difference =
@@ -115,7 +104,7 @@ impl Conditions {
             names.reduce(difference).is_zero()
         });
         if proportional {
-            self.add_on_circle(coefficients, on_circle, names);
+            self.add_on_circle(coefficients, names);
             return;
         }
         let whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
@@ -126,7 +115,7 @@ impl Conditions {
             let common = common.divide_exactly(&content).expect("a content divides");
             if let Some(rest) = whole.divide_exactly(&common) {
                 let part = |polynomial: &Laurent| polynomial.coefficients(Variable::TIME);
-                self.add_on_circle(part(&common), on_circle, names);
+                self.add_on_circle(part(&common), names);
                 self.add_inside(part(&rest.primitive()), on_circle);
                 return;
             }
@@ -135,11 +124,8 @@ impl Conditions {
     }
 
     /// Cohn: all roots of a self-inversive polynomial lie on the circle if and only if those of its derivative lie in the disc.
-    fn add_on_circle(&mut self, coefficients: Vec<Laurent>, nested: bool, names: &Names) {
+    fn add_on_circle(&mut self, coefficients: Vec<Laurent>, names: &Names) {
         let mut whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
-        if !nested {
-            self.on_circle = &self.on_circle * &whole;
-        }
         let derivative = whole.derivative(Variable::TIME);
         let repeated = greatest_common_divisor(&whole, &derivative);
         if repeated.contains(Variable::TIME)
@@ -152,12 +138,9 @@ impl Conditions {
         }
     }
 
-    /// No roots in common with the reversed conjugate.
+    /// At least one root, and none in common with the reversed conjugate.
     fn add_inside(&mut self, coefficients: Vec<Laurent>, on_circle: bool) {
         let degree = coefficients.len() - 1;
-        if degree == 0 {
-            return;
-        }
         let requirements = match real(&coefficients).and_then(|real| jury(&real)) {
             Some(requirements) => requirements,
             None => match schur_cohn(&coefficients) {
@@ -172,10 +155,7 @@ impl Conditions {
             // Squares out of the way: boxes do not decide where they touch zero.
             let odd = if degree > 1 { polynomial.odd_part() } else { polynomial.clone() };
             let square = polynomial.divide_exactly(&odd).expect("the odd part divides");
-            let requirement = Requirement { condition, on_circle, polynomial: odd, square };
-            if !self.requirements.contains(&requirement) {
-                self.requirements.push(requirement);
-            }
+            self.requirements.push(Requirement { condition, on_circle, polynomial: odd, square });
         }
     }
 }
@@ -191,10 +171,8 @@ fn real(coefficients: &[Laurent]) -> Option<Vec<Laurent>> {
     let leading = coefficients.last()?;
     let mut shifted = coefficients.to_vec();
     for axis in 0..3 {
+        // Odd when added, no shift makes them real.
         let (low, high) = leading.range(Variable::axis(axis))?;
-        if (low + high) % 2 != 0 {
-            return None;
-        }
         for coefficient in &mut shifted {
             *coefficient = coefficient.shifted(Variable::axis(axis), -(low + high) / 2);
         }

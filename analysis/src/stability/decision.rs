@@ -143,10 +143,7 @@ impl Step {
         };
         // One condition of one multiplier knows how fast each wave grows; of others only signs are known.
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
-        if set.immediately_unstable.is_some()
-            && !one
-            && let [parameter] = &self.free_parameters()[..]
-        {
+        if set.immediately_unstable.is_some() && !one {
             let small = Rational::new(BigInt::one(), BigInt::from(SMALL));
             let growth = growth_at(&self.with(parameter, &small)?)?;
             if growth.per_step > 0.0 {
@@ -155,13 +152,9 @@ impl Step {
         }
         // 0 itself is a stable value where stability begins there; else it is decided like any other.
         set.at_zero = set.intervals.first().is_some_and(|first| first.from.upper() == 0.0)
-            || match &self.free_parameters()[..] {
-                [parameter] => self.with(parameter, &Rational::zero()).is_ok_and(|at_zero| {
-                    at_zero.characteristic().is_ok()
-                        && decide_step_at(&at_zero, &plan.growth) == Ok(PointVerdict::Stable)
-                }),
-                _ => false,
-            };
+            || self.with(parameter, &Rational::zero()).is_ok_and(|at_zero| {
+                decide_step_at(&at_zero, &plan.growth) == Ok(PointVerdict::Stable)
+            });
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
         if plan.growth.is_zero() { set.with_ends(self, parameter) } else { Ok(set) }
     }

@@ -90,7 +90,7 @@ pub(super) fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> St
         allowed.any(|patience| {
             let outside =
                 |one: &Inequality| is_unstable_throughout(&one.margin, &lower, &upper, patience);
-            inequalities.iter().any(outside)
+            ordered.iter().any(|(_, one)| outside(one))
         })
     };
     set.undecided.retain(|gap| !excluded(gap));

@@ -391,20 +391,4 @@ impl Limit {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::exact::rational::ratio;
-
-    #[test]
-    fn square_roots_are_recognised_and_enclosed() {
-        assert_eq!(ExactValue::square_root(ratio(9, 4)).to_string(), "3/2");
-        assert_eq!(ExactValue::square_root(ratio(8, 3)).to_string(), "sqrt(8/3)");
-        let limit = Limit::exactly(ExactValue::square_root(ratio(2, 1)), Evidence::Proved);
-        assert!(limit.lower() <= 2f64.sqrt() && 2f64.sqrt() <= limit.upper());
-        assert!(limit.upper() <= limit.lower().next_up());
-        assert_eq!(
-            Limit::exactly(ExactValue::square_root(ratio(4, 1)), Evidence::Proved).value(),
-            2.0
-        );
-    }
-}
+mod tests;

@@ -138,13 +138,75 @@ fn at_end(polynomial: &Laurent, phase: f64) -> Laurent {
 /// Shifted so that it is real on every wave, if a shift does it, and positive for long waves at first.
 fn centred(polynomial: &Laurent) -> Option<Laurent> {
     let (low, high) = polynomial.range(Variable::axis(0))?;
-    if (low + high) % 2 != 0 {
-        return None;
-    }
     let shifted = polynomial.shifted(Variable::axis(0), -(low + high) / 2);
     if !shifted.is_real() {
         return None;
     }
     let start = at_end(&shifted, 0.0).terms().first().map(|(_, value)| value.clone())?;
     Some(if start < 0.into() { -shifted } else { shifted })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::ratio;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    fn singular(text: &str) -> Vec<SingularStep> {
+        let plan = SearchPlan::default().up_to(integer(10));
+        Step::from_text(text).unwrap().singular_steps("C", &plan).unwrap()
+    }
+
+    fn at(exact: Rational, phase: f64) -> SingularStep {
+        SingularStep { value: to_f64(&exact), exact: Some(exact), phase: Some(phase) }
+    }
+
+    #[test]
+    fn both_ends_of_the_phase_range_are_looked_at() {
+        // 1 + C (E − 1): 1 − 2C for the shortest wave.
+        let downwind = "u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j]) = u[n,j]";
+        assert_eq!(singular(downwind), [at(ratio(1, 2), PI)]);
+        // 2 − 2C − C E: the longest at 2/3 and the shortest at 2, ascending.
+        let both = "2*u[n+1,j] - 2*C*u[n+1,j] - C*u[n+1,j+1] = u[n,j]";
+        assert_eq!(singular(both), [at(ratio(2, 3), 0.0), at(integer(2), PI)]);
+        // The same root for every wave is no fraction, and named once for each end.
+        let irrational = singular("(1 - 2*C^2)*u[n+1,j] = u[n,j]");
+        assert_eq!(
+            irrational.iter().map(|one| one.phase).collect::<Vec<_>>(),
+            [Some(0.0), Some(PI)]
+        );
+        assert!(
+            irrational
+                .iter()
+                .all(|one| one.exact.is_none() && (one.value - 0.5f64.sqrt()).abs() < 1e-15)
+        );
+    }
+
+    #[test]
+    fn waves_between_are_found_where_the_leading_coefficient_is_real() {
+        // ±(1 − 4C sin²φ), shifted or not.
+        let second = "C*(u[n+1,j+2] - 2*u[n+1,j] + u[n+1,j-2])";
+        for text in [
+            format!("u[n+1,j] + {second} = u[n,j]"),
+            format!("-u[n+1,j] - {second} = u[n,j]"),
+            "u[n+1,j+1] + C*(u[n+1,j+3] - 2*u[n+1,j+1] + u[n+1,j-1]) = u[n,j]".into(),
+        ] {
+            let [only] = &singular(&text)[..] else { panic!("{text}") };
+            assert_eq!((only.value, only.exact.clone()), (0.25, Some(ratio(1, 4))), "{text}");
+            assert!((only.phase.unwrap() - FRAC_PI_2).abs() < 1e-7, "{only:?}");
+        }
+        // C − s: every wave has its own singular value, from 0 on; the shortest has 1.
+        let at_once = "C*u[n+1,j] + (u[n+1,j+1] - 2*u[n+1,j] + u[n+1,j-1])/4 = u[n,j]";
+        assert_eq!(singular(at_once), [at(integer(1), PI)]);
+        // 1 + 2iC sin φ is real after no shift.
+        let not_real = "u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j-1]) = u[n,j]";
+        assert!(singular(not_real).is_empty());
+    }
+
+    #[test]
+    fn what_can_always_be_solved_has_no_singular_step() {
+        let explicit = "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])";
+        let implicit = "u[n+1,j] - C*(u[n+1,j+1] - 2*u[n+1,j] + u[n+1,j-1]) = u[n,j]";
+        assert!(singular(explicit).is_empty() && singular(implicit).is_empty());
+    }
 }

@@ -99,10 +99,11 @@ impl StableSet {
 /// Every `C` in `[0, max_courant]` where a margin is nowhere negative.
 #[cfg(test)]
 pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSet {
-    search(margin, max_courant, &Rational::zero(), DEFAULT_BITS)
+    Search::new(margin, max_courant, DEFAULT_BITS).run(max_courant, evidence(margin))
 }
 
-/// [`stable_set_of`] with a work budget: a decision looks at no more than `boxes` boxes.
+/// Every `C` in `[0, max_courant]` where a margin that is not neutral is nowhere negative, from a known value on; a decision looks at no
+/// more than `boxes` boxes.
 pub(crate) fn search_within(
     margin: &Margin,
     max_courant: &Rational,
@@ -110,15 +111,15 @@ pub(crate) fn search_within(
     bits: u32,
     boxes: usize,
 ) -> StableSet {
-    let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
-    if margin.is_neutral() {
-        return search(margin, max_courant, known, bits);
-    }
     Search::new(margin, max_courant, bits)
         .within(boxes)
         .patient(FIRST_PATIENCE)
         .knowing(known)
-        .run(max_courant, evidence)
+        .run(max_courant, evidence(margin))
+}
+
+fn evidence(margin: &Margin) -> Evidence {
+    if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed }
 }
 
 /// How many pieces of an unstable stretch may resist before it is no longer halved.
@@ -127,7 +128,7 @@ pub(crate) const MAX_PATIENCE: usize = 2000;
 /// Pieces of an unstable stretch that may resist one condition at first: another may be violated there.
 pub(crate) const FIRST_PATIENCE: usize = 100;
 
-/// Whether some wave violates the margin at every value of the parameter between two: proved, or not known after so many pieces that
+/// Whether some wave violates a margin that is not neutral at every value of the parameter between two: proved, or not known after so many pieces that
 /// resist.
 pub(crate) fn is_unstable_throughout(
     margin: &Margin,
@@ -135,29 +136,8 @@ pub(crate) fn is_unstable_throughout(
     upper: &Rational,
     patience: usize,
 ) -> bool {
-    let search = || Search::new(margin, upper, DEFAULT_BITS).patient(patience);
-    !margin.is_neutral() && search().is_unstable_throughout(lower, upper)
-}
-
-fn search(margin: &Margin, max_courant: &Rational, known: &Rational, bits: u32) -> StableSet {
-    let evidence = if margin.is_exact() { Evidence::Proved } else { Evidence::Enclosed };
-    if margin.is_neutral() {
-        return StableSet {
-            intervals: vec![StableInterval {
-                from: Limit::exactly(ExactValue::Fraction(Rational::zero()), evidence),
-                to: Limit::beyond(max_courant, evidence),
-            }],
-            undecided: Vec::new(),
-            immediately_unstable: None,
-            immediate_binding: None,
-            immediate_offset: None,
-            neutral: true,
-            evidence,
-            work: Work::default(),
-            at_zero: true,
-        };
-    }
-    Search::new(margin, max_courant, bits).knowing(known).run(max_courant, evidence)
+    let mut search = Search::new(margin, upper, DEFAULT_BITS).patient(patience);
+    search.is_unstable_throughout(lower, upper)
 }
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.

@@ -46,7 +46,7 @@ pub fn exact_cover(
             });
             continue;
         }
-        if cover.len() + pending.len() >= max_boxes || is_negative_at_a_corner(&current) {
+        if cover.len() + pending.len() + 2 > max_boxes || is_negative_at_a_corner(&current) {
             return None;
         }
         // Both halves `2^degree` times too large, which changes no sign.

@@ -1,12 +1,17 @@
-//! The counters that guard the speed, and the resolution that guards narrow margins, guarded themselves.
+//! The counters that guard the speed, the resolution that guards narrow margins, and the edges of decisions, guarded themselves.
 
-use super::{MarginForm, Sign, Work};
+use super::{
+    FIXED_POINT_BITS, MarginForm, Sign, SignedBox, Work, binomials, exact_cover,
+    is_negative_between,
+};
 use crate::exact::cosine_series::CosineSeries;
 use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, ratio};
 use crate::exact::real_roots::power_of_two;
 use crate::stability::margin::Margin;
+use num_bigint::BigInt;
+use num_traits::Zero;
 
 #[test]
 fn work_adds_up_count_by_count() {
@@ -40,4 +45,40 @@ fn the_work_of_a_decision_is_what_it_was() {
     // A touching zero of width 2^−100 in s² is pursued to width 2^−50 in s: one box on either side at each depth.
     let (_, work) = narrow(100).sign(&integer(0), &integer(1), 2000);
     assert!((90..=220).contains(&work.boxes), "{}", work.boxes);
+}
+
+#[test]
+fn only_what_is_negative_is_called_so() {
+    let negative = |coefficients: [i64; 2]| {
+        is_negative_between(&coefficients.map(integer), &integer(0), &integer(1))
+    };
+    // −1 + t touches zero at an end only.
+    assert_eq!([[-1, 1], [-1, 0]].map(negative), [Some(true); 2]);
+    assert_eq!([[0, 0], [0, 1], [1, 0]].map(negative), [Some(false); 3]);
+    assert_eq!(negative([-1, 2]), None);
+}
+
+#[test]
+fn a_touching_zero_takes_three_boxes_and_two_make_a_cover() {
+    // Σ β_i s^i (1 − s)^{2−i}: (1 − 2s)² has Bernstein coefficients 1, −1, 1, on its halves 1, 0, 0 and 0, 0, 1.
+    let form = |values: [i64; 3]| MarginForm {
+        powers: vec![values.map(BigInt::from).to_vec()],
+        radius: vec![BigInt::zero()],
+        binomials: binomials(2),
+        fixed_point_bits: FIXED_POINT_BITS,
+    };
+    let touching = form([1, -2, 1]);
+    let sign = |boxes| touching.sign(&integer(0), &integer(1), boxes);
+    assert_eq!((sign(2).0, sign(2).1.boxes), (Sign::Undecided, 1));
+    assert_eq!((sign(3).0, sign(3).1.boxes), (Sign::NowhereNegative, 3));
+    let cover = |form: &MarginForm, boxes| exact_cover(form, &integer(0), &integer(1), boxes);
+    assert_eq!(cover(&touching, 1), None);
+    let half = |from: i64, signs: &str| SignedBox {
+        from: ratio(from, 2),
+        to: ratio(from + 1, 2),
+        signs: vec![signs.into()],
+    };
+    assert_eq!(cover(&touching, 2), Some(vec![half(0, "+00"), half(1, "00+")]));
+    // Negative at either end: no number of boxes would do.
+    assert_eq!([[-1, 2, 1], [1, 2, -1]].map(|one| cover(&form(one), usize::MAX)), [None, None]);
 }

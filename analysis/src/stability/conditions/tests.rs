@@ -106,3 +106,49 @@ proptest! {
         check(product.coefficients(Variable::TIME), 0)?;
     }
 }
+
+#[test]
+fn a_product_of_multipliers_on_the_circle_leaves_one_outside() {
+    // z⁴ − C (E + 1/E) z³ − 1: the product of the roots is −1 and none has its mirror image, so that one is outside; an inner
+    // determinant of Jury's vanishes.
+    let conditions = conditions_of("u[n+1,j] = u[n-3,j] + C*(u[n,j+1] + u[n,j-1])");
+    assert!(conditions.nowhere && conditions.requirements.is_empty());
+}
+
+fn conditions_of(text: &str) -> Conditions {
+    let step = crate::scheme::Step::from_text(text).unwrap();
+    let chi = step.characteristic().unwrap();
+    Conditions::new(&chi, &Rational::from_integer(0.into()), step.names())
+}
+
+#[test]
+fn no_condition_is_asked_twice_or_for_nothing() {
+    // Three levels of a real polynomial: χ(±1) and two determinants of two rows.
+    let cubic = "u[n+1,j] = C*(u[n,j+1] + u[n,j-1]) - C*u[n-1,j]/4 + u[n-2,j]/8";
+    let names: Vec<_> = conditions_of(cubic).requirements.iter().map(|one| one.condition).collect();
+    let [inner, plus, minus] = [Condition::Inner(2), Condition::PlusOne, Condition::MinusOne];
+    assert_eq!(names, [plus, minus, inner, inner]);
+    // Multipliers on the circle throughout ask by their derivative, once, however often they occur.
+    let leapfrog = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])";
+    let twice = format!("{leapfrog}; w[n+1,j] = w[n-1,j] - C*(w[n,j+1] - w[n,j-1])");
+    for text in [leapfrog, &twice] {
+        let [only] = &conditions_of(text).requirements[..] else { panic!("{text}") };
+        assert!(only.on_circle && only.condition == Condition::Minor(1), "{text}");
+    }
+    // A neutral scheme of one multiplier asks for nothing.
+    let crank_nicolson =
+        "u[n+1,j] + C/4*(u[n+1,j+1] - u[n+1,j-1]) = u[n,j] - C/4*(u[n,j+1] - u[n,j-1])";
+    assert!(conditions_of(crank_nicolson).requirements.is_empty());
+}
+
+#[test]
+fn squares_are_taken_out_and_kept() {
+    // |g| = 1 + (C − 1)² beside a wave that decays: the last minor contains the square of the difference from 1.
+    let two = conditions_of(
+        "u[n+1,j] = (1 + (C - 1)^2)*u[n,j-1] + w[n,j+1]/2; w[n+1,j] = w[n,j]/2 + C*w[n,j-1]/4 - C*w[n,j]/4",
+    );
+    for one in &two.requirements {
+        assert_eq!(one.polynomial.odd_part(), one.polynomial, "{:?}", one.condition);
+    }
+    assert!(two.requirements.iter().any(|one| one.square.as_constant().is_none()));
+}

@@ -156,3 +156,21 @@ fn limits_are_roots_of_the_discriminant() {
     );
     assert_eq!(equation(8, 5).1.equation().unwrap().degree(), 14);
 }
+
+#[test]
+fn a_critical_value_is_named_only_where_it_lies() {
+    let margin = sph("godunov-sph", Kernel::CubicSpline, &integer(2)).gain_margin("C", &integer(0));
+    let margin = margin.unwrap().unwrap();
+    let critical = CriticalPolynomials::new(&margin, usize::MAX).unwrap();
+    let at = ratio(15, 8).pow(margin.stride() as i32);
+    let between = |from: Rational, to: Rational| {
+        let root =
+            critical.root_between(&(&at * (integer(1) + from)), &(&at * (integer(1) + to)))?;
+        root.power_as_fraction()
+    };
+    let small = |bits: i32| ratio(1, 2).pow(bits);
+    assert_eq!(between(-small(60), small(60)), Some(at.clone()));
+    // It is the only one nearby, but not between these.
+    assert_eq!(between(small(50), small(45)), None);
+    assert_eq!(between(-small(45), -small(50)), None);
+}

@@ -107,6 +107,15 @@ fn what_only_the_data_leave_open_is_undecided() {
     );
 }
 
+#[test]
+fn roots_at_the_end_of_the_range_and_beyond_end_nothing() {
+    for coefficient in ["(1 - C/20)", "(1 - C/10)", "(10 - C)*(1 + C)"] {
+        let limit = set(&format!("u[n+1,j] = {coefficient}*u[n,j] + C*u[n,j-1]")).limit();
+        assert!(limit.upper().is_infinite() && limit.lower() == 10.0, "{coefficient}");
+        assert!(!limit.is_unbounded(), "{coefficient}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
     #[test]

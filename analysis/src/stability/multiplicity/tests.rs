@@ -116,3 +116,29 @@ fn limits_are_included_where_eigenvectors_suffice() {
                   + C^2/12*(-u[n,j+2] + 16*u[n,j+1] - 30*u[n,j] + 16*u[n,j-1] - u[n,j-2])";
     assert!(!includes_its_limit(fourth));
 }
+
+#[test]
+fn waves_of_four_multipliers_are_all_looked_at_and_of_five_some() {
+    // Two leapfrogs that do not know of one another, the faster one at its limit; then upwind beside them.
+    let leapfrogs = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1]); \
+                     w[n+1,j] = w[n-1,j] - C/2*(w[n,j+1] - w[n,j-1])";
+    let found = at(leapfrogs, &[("C", "1")]).growing.unwrap();
+    assert_eq!((found.wave.phases()[0], found.all_waves), (std::f64::consts::FRAC_PI_2, true));
+    assert_eq!((found.multiplicity, found.eigenvectors), (2, 1));
+    let fifth = format!("{leapfrogs}; v[n+1,j] = v[n,j] - C/4*(v[n,j] - v[n,j-1])");
+    assert_eq!(at(&fifth, &[("C", "1")]).growing, None);
+}
+
+#[test]
+fn zeros_of_what_is_not_exact_may_not_be_all() {
+    // Every second particle does not see its neighbours; beside it upwind, with a number that is a fraction or not.
+    let beside = |number: &str| {
+        let text = format!(
+            "u[n+1,j] = 2*u[n,j] - u[n-1,j] + C^2*(u[n,j+2] - 2*u[n,j] + u[n,j-2]); \
+             w[n+1,j] = w[n,j] - C/{number}*(w[n,j] - w[n,j-1])"
+        );
+        at(&text, &[("C", "1/2")]).drift.unwrap()
+    };
+    assert_eq!([beside("3"), beside("pi")].map(|found| found.all_waves), [true, false]);
+    assert_eq!(beside("pi").wave.phases()[0], std::f64::consts::PI);
+}

@@ -195,3 +195,44 @@ impl Search<'_> {
         ends.find(|end| self.is_unstable_just_above(end, s))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::ratio;
+    use crate::scheme::Step;
+    use crate::stability::DEFAULT_BITS;
+
+    /// What is said beyond a touch between two values, after so many others, where upwind with `1 − (1 − C)(2 − C)/4` in place of `C` is
+    /// stable: on `[0, 1]` and from 2 to 3.5.
+    fn beyond(range: Rational, touches: usize, lower: Rational, upper: Rational) -> Stretch {
+        let text = "u[n+1,j] = u[n,j] - (1 - (1 - C)*(2 - C)/4)*(u[n,j] - u[n,j-1])";
+        let margin = Step::from_text(text).unwrap().gain_margin("C", &integer(0));
+        let margin = margin.unwrap().unwrap();
+        assert_eq!(margin.stride(), 1);
+        let mut search = Search::new(&margin, &range, DEFAULT_BITS);
+        search.touches = touches;
+        search.pass_touching_wave(lower, upper)
+    }
+
+    #[test]
+    fn a_touch_is_passed_only_where_both_sides_are_proved() {
+        let open = |lower: Rational, upper: Rational, touches| {
+            let found = beyond(integer(3), touches, lower.clone(), upper.clone());
+            matches!(found, Stretch::Undecided(a, b) if (&a, &b) == (&lower, &upper))
+        };
+        // Unstable below 2, unstable above 1, nothing to tell from 0, no length, one too many.
+        assert!(open(ratio(3, 2), ratio(5, 2), 0) && open(ratio(1, 2), ratio(3, 2), 0));
+        assert!(open(integer(0), ratio(1, 2), 0) && open(ratio(1, 2), ratio(1, 2), 0));
+        assert!(open(ratio(1, 4), ratio(3, 4), MAX_TOUCHES));
+        // Stable on both sides of 1/2: the stretch ends at 1, or beyond the range.
+        for touches in [0, MAX_TOUCHES - 1] {
+            let found = beyond(integer(3), touches, ratio(1, 4), ratio(3, 4));
+            assert!(
+                matches!(found, Stretch::Ends(edge) if edge.lower <= integer(1) && edge.upper >= integer(1))
+            );
+        }
+        let found = beyond(ratio(1, 2), 0, ratio(1, 4), ratio(3, 4));
+        assert!(matches!(found, Stretch::Continues));
+    }
+}

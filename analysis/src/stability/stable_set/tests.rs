@@ -215,3 +215,149 @@ proptest! {
         }
     }
 }
+
+fn particles(method: &str, integrator: &str, kernel: Kernel) -> Step {
+    let lattice = crate::scheme::KernelLattice::new(kernel, &ratio(3, 2)).unwrap();
+    let integrator = crate::scheme::Integrator::for_particles(integrator);
+    let method = crate::scheme::catalogue::method(method).unwrap();
+    method.step(Some(&lattice), integrator, &[], Some("C")).unwrap()
+}
+
+/// `g = 1 − C ((s − 1/2)² + (square)²)/scale`: neutral for one wave where the square vanishes, damped on both sides.
+fn touching(square: &str, scale: i64) -> Step {
+    let s = "(2*u[n,j] - u[n,j+1] - u[n,j-1])/4";
+    let squared = "(6*u[n,j] - 4*u[n,j+1] - 4*u[n,j-1] + u[n,j+2] + u[n,j-2])/16";
+    let rest = format!("(1/4 + ({square})^2)*u[n,j]");
+    Step::from_text(&format!("u[n+1,j] = u[n,j] - C/{scale}*({squared} - {s} + {rest})")).unwrap()
+}
+
+/// Boxes, evaluations and cells on every road to an answer: a decision that is taken otherwise costs otherwise, though another road
+/// may lead to the same answer.
+#[test]
+fn every_road_costs_what_it_did() {
+    let text = |text: &str| Step::from_text(text).unwrap();
+    let cubic = |scheme, l| sph(scheme, Kernel::CubicSpline, &integer(l));
+    let gaussian = |scheme| sph(scheme, Kernel::Gaussian, &integer(3));
+    let growing = |growth| plan(30).growing(crate::exact::rational::parse(growth).unwrap());
+    let beam_warming = crate::scheme::catalogue::scheme("beam-warming").unwrap();
+    for (step, plan, work) in [
+        (text("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])"), plan(100), [1, 3, 0]),
+        (text("u[n+1,j] = u[n,j] - C/2*(u[n,j+1] - u[n,j-1])"), plan(100), [0, 2, 0]),
+        (text("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])"), plan(100), [3, 5, 0]),
+        (text("u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j]) = u[n,j]"), plan(100), [2, 3, 0]),
+        (
+            text("u[n+1,j] = u[n,j] - C*(C^2 - 6*C + 9.5)/3*(u[n,j] - u[n,j-1])"),
+            plan(10),
+            [3, 7, 0],
+        ),
+        (text("u[n+1,j] = u[n,j] - (C + C^2)*(u[n,j] - u[n,j-1])"), plan(10), [1, 3, 0]),
+        (beam_warming.step(None, None, &[], Some("C")).unwrap(), plan(10), [0, 5, 3]),
+        (
+            text(
+                "u[n+1,j] = (1-C)*(2-C)*(3-C)/6*u[n,j] + C*(2-C)*(3-C)/2*u[n,j-1] \
+                 - C*(1-C)*(3-C)/2*u[n,j-2] + C*(1-C)*(2-C)/6*u[n,j-3]",
+            ),
+            plan(10),
+            [2, 18, 0],
+        ),
+        (
+            text(
+                "u[n+1,j] = (1 + (C - 1)^2)*u[n,j-1] + w[n,j+1]/2; \
+                 w[n+1,j] = w[n,j]/2 + C*w[n,j-1]/4 - C*w[n,j]/4",
+            ),
+            plan(100),
+            [0, 18, 0],
+        ),
+        (touching("C^2 - 2", 1000), plan(4), [10_034, 0, 2]),
+        (cubic("godunov-sph", 2), plan(100), [1, 3, 0]),
+        (cubic("lax-wendroff-sph", 5), plan(100), [3, 3, 0]),
+        (cubic("lax-wendroff-sph", 5), growing("1e-16"), [117, 5, 0]),
+        (gaussian("godunov-sph"), plan(100), [1, 4, 0]),
+        (gaussian("lax-wendroff-sph"), plan(30), [0, 2, 0]),
+        (gaussian("lax-wendroff-sph"), growing("1e-6"), [63, 5, 0]),
+        (particles("sph", "leapfrog-kdk", Kernel::CubicSpline), plan(10), [54, 5, 0]),
+        (particles("sph-av", "rk4", Kernel::CubicSpline), plan(10), [3, 8, 0]),
+        (particles("gph", "rk2-heun", Kernel::Gaussian), plan(10), [51, 5, 0]),
+    ] {
+        let [boxes, evaluations, cells] = work;
+        let set = set_of(&step, &plan);
+        assert_eq!(set.work, Work { boxes, evaluations, cells }, "{step:?}");
+    }
+}
+
+#[test]
+fn a_touch_that_is_not_decided_is_open_from_there_on_and_does_not_cost_without_end() {
+    // With fewer bits than an edge is recognised by, cells are not asked.
+    let set = set_of(&touching("C - 1", 4), &plan(1).up_to(ratio(3, 2)).to_bits(40));
+    assert!((40_000..44_000).contains(&set.work.boxes) && set.work.cells == 0, "{:?}", set.work);
+    let limit = set.limit();
+    assert_eq!(limit.evidence(), Evidence::Undecided);
+    assert!(limit.lower() > 0.9 && limit.lower() < 1.0, "{limit:?}");
+    // No value from there on is called unstable.
+    assert!(set.undecided.windows(2).all(|pair| pair[0].1 >= pair[1].0), "{set:?}");
+    assert_eq!((set.undecided[0].0, set.undecided.last().unwrap().1), (limit.lower(), 1.5));
+}
+
+#[test]
+fn with_one_box_what_is_not_proved_is_open() {
+    let little = SearchPlan { budget: 1, ..plan(10) };
+    for (method, integrator, kernel) in
+        [("sph", "leapfrog-kdk", Kernel::CubicSpline), ("gph", "rk2-heun", Kernel::Gaussian)]
+    {
+        let step = particles(method, integrator, kernel);
+        let (all, some) = (set_of(&step, &plan(10)), set_of(&step, &little));
+        assert!(all.undecided.is_empty() && some.work.boxes <= 200);
+        // Less is proved stable, nothing more is proved unstable.
+        assert!(some.limit().lower() < all.limit().lower());
+        assert_eq!(some.limit().evidence(), Evidence::Undecided);
+        assert_eq!(some.undecided.first().unwrap().0, some.limit().lower());
+        assert!(some.undecided.last().unwrap().1 >= 10.0);
+        assert!(some.undecided.windows(2).all(|pair| pair[0].1 >= pair[1].0), "{some:?}");
+    }
+}
+
+#[test]
+fn zero_belongs_where_the_scheme_is_stable_at_zero() {
+    let zero = |text: &str| {
+        let set = set_of(&Step::from_text(text).unwrap(), &plan(10));
+        (set.contains(&integer(0)), set.limit().is_positive())
+    };
+    assert_eq!(zero("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])"), (true, true));
+    // Unstable for every C but 0; for every C; without a step at all at 0.
+    assert_eq!(zero("u[n+1,j] = u[n,j] - C*(u[n,j+1] - u[n,j-1])"), (true, false));
+    assert_eq!(zero("u[n+1,j] = 2*u[n,j] - C*u[n,j]"), (false, false));
+    assert_eq!(zero("C*u[n+1,j] = u[n,j]"), (false, false));
+}
+
+#[test]
+fn numbers_that_are_no_fractions_are_enclosed() {
+    let limit = |text: &str| set_of(&Step::from_text(text).unwrap(), &plan(10)).limit();
+    for (number, value) in [("sqrt(2)", 0.5f64.sqrt()), ("sqrt(1/2)", 2f64.sqrt())] {
+        let upwind = limit(&format!("u[n+1,j] = u[n,j] - {number}*C*(u[n,j] - u[n,j-1])"));
+        assert_eq!(upwind.evidence(), Evidence::Enclosed);
+        assert!(upwind.lower() <= value && value <= upwind.upper(), "{number}: {upwind:?}");
+    }
+    // |g| = 1 whatever the square root is.
+    let neutral = "u[n+1,j] + sqrt(2)*C*(u[n+1,j+1] - u[n+1,j-1]) \
+                   = u[n,j] - sqrt(2)*C*(u[n,j+1] - u[n,j-1])";
+    assert!(limit(neutral).is_unbounded() && limit(neutral).evidence() == Evidence::Proved);
+    // Damped whatever π is.
+    let damped = limit("u[n+1,j] - pi*C*(u[n+1,j+1] - 2*u[n+1,j] + u[n+1,j-1]) = u[n,j]");
+    assert!(damped.upper().is_infinite() && damped.evidence() == Evidence::Enclosed);
+}
+
+#[test]
+fn the_condition_that_fails_is_named() {
+    let set = |text: &str| set_of(&Step::from_text(text).unwrap(), &plan(10));
+    let upwind = set("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])").limit();
+    let binding = upwind.binding().unwrap();
+    assert_eq!(binding.name(), "schur-cohn-minor-1");
+    assert!(!binding.on_circle && !binding.whatever_the_step && upwind.is_included());
+    let leapfrog = set("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])").limit();
+    assert!(leapfrog.binding().unwrap().on_circle && !leapfrog.is_included());
+    // The product of four multipliers is −1, whatever the wave: one is outside.
+    let nowhere = set("u[n+1,j] = u[n-3,j] + C*(u[n,j+1] + u[n,j-1])");
+    assert!(nowhere.intervals.is_empty() && nowhere.undecided.is_empty() && !nowhere.neutral);
+    assert_eq!((nowhere.limit().value(), nowhere.evidence), (0.0, Evidence::Proved));
+    assert!(nowhere.immediately_unstable.is_some() && nowhere.limit().binding().is_none());
+}

@@ -214,3 +214,76 @@ fn verdicts_on_both_sides_of_the_limits_of_the_catalogue() {
         }
     }
 }
+
+#[test]
+fn an_end_that_is_no_fraction_is_met_within_its_last_digits() {
+    // C + C² ≤ 1: the golden section.
+    let golden = "u[n+1,j] = u[n,j] - (C + C^2)*(u[n,j] - u[n,j-1])";
+    let step = Step::from_text(golden).unwrap();
+    let limit = step.limit("C").unwrap();
+    assert!(limit.lower() < limit.upper());
+    let at =
+        |value: f64| check(&step, "C", &from_f64(value).unwrap(), &SearchPlan::default()).unwrap();
+    let (below, there) = (at(limit.lower().next_down()), at(limit.lower()));
+    assert_eq!((below.verdict, there.verdict), (Verdict::Stable, Verdict::Marginal));
+    // The wave that binds, and above the one that grows.
+    assert_eq!(there.critical_wave().as_ref(), limit.critical_wave());
+    let above = at(limit.upper());
+    assert_eq!(above.verdict, Verdict::WeaklyUnstable);
+    assert_eq!(above.critical_wave(), Some(above.growth.wave.clone()));
+    // The end itself may be anywhere between; where only the proof ends there is no end to be met.
+    let met = |evidence| {
+        let end = Limit::between(0.5, 1.0, evidence);
+        ["0.4", "1/2", "3/4", "1", "1.1"].map(|value| is_at(&end, &parse(value).unwrap()))
+    };
+    assert_eq!(met(Evidence::Enclosed), [false, true, true, true, false]);
+    assert_eq!(met(Evidence::Undecided), [false; 5]);
+    let zero = Limit::exactly(crate::stability::ExactValue::Fraction(integer(0)), Evidence::Proved);
+    assert!(!is_at(&zero, &integer(0)));
+}
+
+#[test]
+fn a_budget_of_a_hundred_boxes_is_enough_to_be_answered() {
+    let step = Step::from_text(UPWIND).unwrap();
+    let verdict = |budget| {
+        let plan = SearchPlan { budget, ..SearchPlan::default() };
+        check(&step, "C", &ratio(1, 2), &plan).unwrap().verdict
+    };
+    assert_eq!([99, 100].map(verdict), [Verdict::Undecided, Verdict::Stable]);
+}
+
+#[test]
+fn monotone_as_far_as_the_data_tell() {
+    // 1 − 2C (1/2 + 1/4 ± 2/1000) ends between 1/1.504 and 1/1.496.
+    let weights = crate::kernel::lattice::LatticeWeights {
+        gradient: vec![ratio(1, 2), ratio(1, 4)],
+        curvature: vec![integer(-2), integer(1), integer(0)],
+        radius: ratio(1, 1000),
+    };
+    let lattice = KernelLattice::from_weights(integer(1), weights);
+    let godunov = catalogue::scheme("godunov-sph").unwrap();
+    let step = godunov.step(Some(&lattice), None, &[], Some("C")).unwrap();
+    let monotone = ["0.66", "2/3", "0.67"].map(|value| judge(&step, value).monotone);
+    assert_eq!(monotone, [Some(true), None, Some(false)]);
+}
+
+#[test]
+fn the_growth_of_an_instability_that_is_called_weak() {
+    // |g| = 1 + C for every wave.
+    let text = |value: &str| text("u[n+1,j] = (1 + C)*u[n,j-1]", value).verdict;
+    let (weak, strong) = (Verdict::WeaklyUnstable, Verdict::Unstable);
+    assert_eq!(["0.000099", "0.0001", "0.000101"].map(text), [weak, weak, strong]);
+}
+
+#[test]
+fn strict_demands_hold_nearby_whatever_the_search_leaves_open() {
+    // g = 1 − C ((s − 1/2)² + (C − 1)²)/4: neutral for one wave at C = 1, damped on both sides; with few bits the search stops there.
+    let touching = "u[n+1,j] = u[n,j] - C/4*((6*u[n,j] - 4*u[n,j+1] - 4*u[n,j-1] + u[n,j+2] + u[n,j-2])/16 \
+                    - (2*u[n,j] - u[n,j+1] - u[n,j-1])/4 + (1/4 + (C - 1)^2)*u[n,j])";
+    let step = Step::from_text(touching).unwrap();
+    let plan = SearchPlan::default().up_to(ratio(3, 2)).to_bits(40);
+    let verdict = |value: &str| check(&step, "C", &parse(value).unwrap(), &plan).unwrap().verdict;
+    let (stable, marginal) = (Verdict::Stable, Verdict::Marginal);
+    assert_eq!(["0.9", "1", "1.2"].map(verdict), [stable, marginal, stable]);
+    assert!(stable.is_stable() && marginal.is_stable() && !Verdict::Undecided.is_stable());
+}
