@@ -21,6 +21,9 @@ const CANDIDATES: usize = 6;
 /// Steps of the refinement end at this share of the first one: the value is then wrong by the square of it.
 const FINE: f64 = 1e-7;
 
+/// Lengths of long waves that are looked at in the direction of one that was proved to grow, each 0.7 of the phase of the last.
+const LONG_WAVES: usize = 80;
+
 /// Bits of the arithmetic of the refinement: 38 digits.
 const BITS: u32 = 128;
 
@@ -59,9 +62,8 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
         }
     }
     let from_samples = apart.into_iter().map(|phases| (phases, spacing));
-    // A long wave stands for all long ones in its direction.
     let from_witness = witness.map(|wave| match wave.phases().iter().all(|phase| *phase == 0.0) {
-        true => (wave.direction().iter().map(|x| x * spacing).collect(), 0.5 * spacing),
+        true => fastest_long_wave(&precise, wave.direction(), spacing),
         false => {
             let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
             (wave.phases().to_vec(), spacing.min(0.5 * size))
@@ -89,6 +91,20 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
         }
         bits *= 2;
     }
+}
+
+/// A long wave stands for all long ones in its direction: the one of them that grows most, and how far its neighbours are.
+fn fastest_long_wave(precise: &PreciseStep, direction: &[f64], spacing: f64) -> (Vec<f64>, f64) {
+    let along = |size: &f64| direction.iter().map(|x| x * size).collect::<Vec<f64>>();
+    let sizes = std::iter::successors(Some(spacing), |size| Some(size * 0.7)).take(LONG_WAVES);
+    let value = |size: &f64| {
+        let found = precise.largest(&place(precise, &along(size)));
+        found.map_or(f64::INFINITY, logarithmic)
+    };
+    let sizes: Vec<(f64, f64)> = sizes.map(|size| (value(&size), size)).collect();
+    let best = sizes.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0));
+    let size = best.map_or(spacing, |(_, size)| size);
+    (along(&size), 0.3 * size)
 }
 
 /// Where nothing grows: a wave of phases 0 and π that is neutral to all digits, the longest first.

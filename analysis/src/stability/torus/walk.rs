@@ -271,8 +271,10 @@ impl Walk<'_> {
         let until = self.search.unstable_until(&reached.clone(), &spot);
         let lower = until.map_or(reached.clone(), |until| until.min(edge.lower.clone()));
         let bits = i64::from(self.search.bits);
-        for width in [bits, bits - 12, bits - 20] {
-            let upper = &edge.upper * (integer(1) + power_of_two(-width));
+        let exact = (edge.lower == edge.upper).then(|| edge.upper.clone());
+        let wider = [bits, bits - 12, bits - 20]
+            .map(|width| (&edge.upper * (integer(1) + power_of_two(-width)), width));
+        for (upper, width) in exact.map(|upper| (upper, bits - 12)).into_iter().chain(wider) {
             let beyond = &upper * (integer(1) + power_of_two(6 - width));
             if self.search.is_stable(&upper, &beyond).is_ok() {
                 return Ok(Edge { lower, upper, spot: Some(spot) });
