@@ -165,9 +165,9 @@ impl Step {
             };
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
         if plan.growth.is_zero() && self.dimension == 1 {
-            set.with_ends(self, parameter)
+            Ok(set.with_ends(self, parameter)?.of_step(self))
         } else {
-            Ok(set)
+            Ok(set.of_step(self))
         }
     }
 
