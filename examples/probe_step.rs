@@ -36,7 +36,8 @@ fn parsed(bytes: &[u8], begin: usize) -> Result<(Vec<usize>, Vec<f64>), Box<dyn 
     let sizes = shape.split(',').map(str::trim).filter(|size| !size.is_empty());
     let shape = sizes.map(str::parse).collect::<Result<_, _>>()?;
     let numbers = bytes[begin..].chunks_exact(8);
-    let numbers = numbers.map(|eight| f64::from_le_bytes([0, 1, 2, 3, 4, 5, 6, 7].map(|i| eight[i])));
+    let numbers =
+        numbers.map(|eight| f64::from_le_bytes([0, 1, 2, 3, 4, 5, 6, 7].map(|i| eight[i])));
     Ok((shape, numbers.collect()))
 }
 

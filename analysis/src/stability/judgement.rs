@@ -50,14 +50,14 @@ pub fn judge(step: &Step, growth: &Rational) -> Result<Judgement, SchemeError> {
             let index = number % phases;
             number /= phases;
             // In (−π, π].
-            let signed = if 2 * index > phases { index as f64 - phases as f64 } else { index as f64 };
+            let signed =
+                if 2 * index > phases { index as f64 - phases as f64 } else { index as f64 };
             2.0 * PI * signed / phases as f64
         };
         (0..dimension).map(|_| along()).collect::<Vec<f64>>()
     });
-    let of = |wave: &[f64]| {
-        compiled.multipliers(&[], wave).iter().map(|z| z.norm()).fold(0.0, f64::max)
-    };
+    let of =
+        |wave: &[f64]| compiled.multipliers(&[], wave).iter().map(|z| z.norm()).fold(0.0, f64::max);
     let gains: Vec<(f64, Vec<f64>)> = grid.map(|wave| (of(&wave), wave)).collect();
     let named = match &decided {
         PointVerdict::Unstable(wave) => Some((of(wave.phases()), wave.phases().to_vec())),

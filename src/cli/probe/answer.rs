@@ -14,8 +14,8 @@ use courant::reports::table::{Align, Table};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Equations that a table has room for.
-const LONGEST_EQUATION: usize = 300;
+/// The longest equation that is shown.
+const LONGEST_EQUATION: usize = 600;
 
 /// A program that is a scheme.
 pub struct Answer {
@@ -152,11 +152,7 @@ fn found(plan: &Plan, answer: &Answer) -> Found {
 }
 
 /// The answer no, with its reason.
-pub fn refuse(
-    arguments: &Arguments,
-    plan: &Plan,
-    refusal: &Refusal,
-) -> Result<Outcome, Failure> {
+pub fn refuse(arguments: &Arguments, plan: &Plan, refusal: &Refusal) -> Result<Outcome, Failure> {
     match arguments.format {
         Format::Table => print(&format!("no scheme: {}\n", refusal.0))?,
         format => {
@@ -207,15 +203,6 @@ fn table(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Table {
     let count = measured.terms.len();
     let plural = if count == 1 { "" } else { "s" };
     add("step", format!("{linear}, the same everywhere, {count} coefficient{plural}"));
-    for (number, equation) in measured.equations().into_iter().enumerate() {
-        let shown = if equation.chars().count() > LONGEST_EQUATION {
-            let unknown = &measured.step.unknowns()[number];
-            format!("{unknown}: too long, see --format json")
-        } else {
-            equation
-        };
-        add(if number == 0 { "equations" } else { "" }, shown);
-    }
     let symbol = measured.parameter.as_deref().unwrap_or_default();
     if let Some(stable) = &answer.stable_set {
         let limit = stable.limit();
@@ -233,12 +220,14 @@ fn table(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Table {
             None => "verdict".into(),
         };
         let wave = match direction(&found.wave) {
-            _ if found.wave.phases().iter().all(|phase| *phase == 0.0) => "the mean".into(),
-            Some(direction) => format!("{} Δ {direction}", wavelength(&found.wave)),
-            None => format!("{} Δ", wavelength(&found.wave)),
+            // Of waves that do not grow the largest is named by rounding.
+            _ if found.verdict.is_stable() => String::new(),
+            _ if found.wave.phases().iter().all(|phase| *phase == 0.0) => " (the mean)".into(),
+            Some(direction) => format!(" ({} Δ {direction})", wavelength(&found.wave)),
+            None => format!(" ({} Δ)", wavelength(&found.wave)),
         };
         let largest = significant(found.largest, 8);
-        add(&name, format!("{}, largest |z| {largest} ({wave})", found.verdict.name()));
+        add(&name, format!("{}, largest |z| {largest}{wave}", found.verdict.name()));
     }
     table
 }
@@ -246,12 +235,19 @@ fn table(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Table {
 fn remarks(plan: &Plan, answer: &Answer) -> Vec<String> {
     let measured = &answer.measured;
     let mut remarks = Vec::new();
+    for (equation, unknown) in measured.equations().into_iter().zip(measured.step.unknowns()) {
+        remarks.push(if equation.len() > LONGEST_EQUATION {
+            format!("The equation of {unknown} is long: see --format json.")
+        } else {
+            equation
+        });
+    }
     let share = significant(plan.experiment.tolerance, 2);
     let of = match &measured.parameter {
         Some(name) => {
             let verified = measured.verifications;
             format!(
-                "Coefficients measured at {} values of {name} and fitted as polynomials, at least {verified} values to verify",
+                "Coefficients measured at {} values of {name} and fitted as polynomials with {verified} or more of them left to verify",
                 answer.values.len()
             )
         }

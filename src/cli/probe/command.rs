@@ -82,7 +82,10 @@ impl StepProgram {
         given: &[Given],
     ) -> Result<Vec<f64>, NoStep> {
         let unwritable = |error: std::io::Error| {
-            NoStep::Protocol(format!("temporary files in {}: {error}", self.directory.path().display()))
+            NoStep::Protocol(format!(
+                "temporary files in {}: {error}",
+                self.directory.path().display()
+            ))
         };
         let array = NpyArray { shape: self.layout.state_shape(), values: state.to_vec() };
         std::fs::write(&files.state, array.to_bytes()).map_err(unwritable)?;
@@ -120,7 +123,9 @@ impl StepProgram {
             let word = paths.iter().fold(word.clone(), |word, (name, path)| {
                 word.replace(&format!("{{{name}}}"), &path.to_string_lossy())
             });
-            given.iter().fold(word, |word, one| word.replace(&format!("{{{}}}", one.name), &one.value))
+            given
+                .iter()
+                .fold(word, |word, one| word.replace(&format!("{{{}}}", one.name), &one.value))
         };
         let mut command = Command::new(&self.words[0]);
         command

@@ -319,4 +319,3 @@ fn analysed(
     let values = stencils.into_iter().map(|(value, _)| value).collect();
     Ok(Ok(Answer { measured, values, source, stable_set, monotone_set, judgements }))
 }
-

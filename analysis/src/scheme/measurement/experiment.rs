@@ -11,6 +11,10 @@ const OF_SUMS: f64 = 1000.0;
 /// The amplitude of differences about a state of order 1: truncation `h²` and round-off `2^−53/h` are both near `1e-10`.
 const AMPLITUDE: f64 = 1.0 / 131_072.0;
 
+/// Differences forward and about a state agree to its amplitude times half the curvature; about a kink they do not, which differences about
+/// it do not see.
+const OF_A_KINK: f64 = 1e-3;
+
 /// A relative deviation up to this looks like arithmetic of single precision.
 const SINGLE_PRECISION: f64 = 1e-5;
 
@@ -61,9 +65,9 @@ pub enum Objection<E> {
         /// The relative deviation.
         off: f64,
     },
-    /// Derivatives of two amplitudes differ.
+    /// Derivatives of two amplitudes, or to two sides, differ.
     #[error(
-        "the step has no derivative at this state: differences over two amplitudes differ by {off:.1e}{}", hint(*off)
+        "the step has no derivative at this state: differences over two amplitudes, or to two sides, differ by {off:.1e}{}", hint(*off)
     )]
     NotSmooth {
         /// The relative deviation.
@@ -100,11 +104,7 @@ pub enum Objection<E> {
 }
 
 fn hint(off: f64) -> &'static str {
-    if off < SINGLE_PRECISION {
-        " (single precision? then --tolerance 1e-6)"
-    } else {
-        ""
-    }
+    if off < SINGLE_PRECISION { " (single precision? then --tolerance 1e-6)" } else { "" }
 }
 
 impl Experiment {
@@ -166,6 +166,14 @@ impl Experiment {
                 Base::About(_) => Objection::NotSmooth { off },
             });
         }
+        if let Base::About(base) = &self.base {
+            let forward: Vec<f64> = base.iter().zip(&random).map(|(b, v)| b + unit * v).collect();
+            let forward = step(&forward).map_err(Objection::Step)?;
+            let forward = off(&plain, &quotient(&forward, &at_base, unit));
+            if let Some(off) = forward.filter(|off| *off > OF_A_KINK) {
+                return Err(Objection::NotSmooth { off });
+            }
+        }
         if let Some(off) = off(&layout.shifted(&plain, &by), &shifted) {
             return Err(Objection::NotInvariant { off });
         }
@@ -186,7 +194,7 @@ impl Experiment {
         let directions = self.layout.levels * self.layout.unknowns + 3;
         match self.base {
             Base::Zero => 1 + directions,
-            Base::About(_) => 1 + 2 * directions,
+            Base::About(_) => 2 + 2 * directions,
         }
     }
 
@@ -256,7 +264,8 @@ impl Experiment {
                 let indices = layout.indices(cell);
                 let from: Vec<i64> =
                     indices.iter().zip(&place.offset).map(|(j, k)| j + k).collect();
-                answer[place.row * cells + cell] += value * state[block * cells + layout.cell(&from)];
+                answer[place.row * cells + cell] +=
+                    value * state[block * cells + layout.cell(&from)];
             }
         }
         answer

@@ -41,9 +41,10 @@ impl StateLayout {
 
     /// The cell of indices, which are taken round the lattice.
     pub(crate) fn cell(&self, indices: &[i64]) -> usize {
-        self.size.iter().zip(indices).fold(0, |cell, (&size, index)| {
-            cell * size + index.rem_euclid(size as i64) as usize
-        })
+        self.size
+            .iter()
+            .zip(indices)
+            .fold(0, |cell, (&size, index)| cell * size + index.rem_euclid(size as i64) as usize)
     }
 
     /// The indices of a cell.

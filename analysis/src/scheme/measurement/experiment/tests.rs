@@ -36,14 +36,12 @@ fn a_source_is_told_from_the_linear_part() {
 #[test]
 fn each_way_not_to_be_a_scheme_has_its_own_answer() {
     let linear = experiment(Base::Zero, 1e-14);
-    let burgers = |u: &dyn Fn(i64) -> f64, j: i64| {
-        u(j) - 0.25 * (u(j) * u(j) - u(j - 1) * u(j - 1))
-    };
+    let burgers =
+        |u: &dyn Fn(i64) -> f64, j: i64| u(j) - 0.25 * (u(j) * u(j) - u(j - 1) * u(j - 1));
     assert!(matches!(measured(&linear, burgers), Err(Objection::NotProportional { .. })));
     // A limiter of degree 1: proportional, but no sum of impulses.
-    let limited = |u: &dyn Fn(i64) -> f64, j: i64| {
-        u(j) - 0.5 * minmod(u(j + 1) - u(j), u(j) - u(j - 1))
-    };
+    let limited =
+        |u: &dyn Fn(i64) -> f64, j: i64| u(j) - 0.5 * minmod(u(j + 1) - u(j), u(j) - u(j - 1));
     assert!(matches!(measured(&linear, limited), Err(Objection::NotAdditive { .. })));
     let varies = |u: &dyn Fn(i64) -> f64, j: i64| if j % 2 == 0 { u(j) } else { 0.5 * u(j) };
     assert!(matches!(measured(&linear, varies), Err(Objection::NotInvariant { .. })));
@@ -60,16 +58,15 @@ fn each_way_not_to_be_a_scheme_has_its_own_answer() {
 #[test]
 fn about_a_state_burgers_is_advection_with_its_speed() {
     // Upwind differences of u²/2 about u = 0.5: 1 − C u at 0, C u at −1, C = 0.4.
-    let burgers = |u: &dyn Fn(i64) -> f64, j: i64| {
-        u(j) - 0.2 * (u(j) * u(j) - u(j - 1) * u(j - 1))
-    };
+    let burgers = |u: &dyn Fn(i64) -> f64, j: i64| u(j) - 0.2 * (u(j) * u(j) - u(j - 1) * u(j - 1));
     let found = measured(&experiment(Base::About(vec![0.5; SIZE]), 1e-9), burgers).unwrap();
     let found = coefficients(&found);
+    // Quadratic: central differences have no error but rounding.
     assert_eq!(found.iter().map(|(k, _)| *k).collect::<Vec<_>>(), [-1, 0]);
     assert!((found[0].1 - 0.2).abs() < 1e-10 && (found[1].1 - 0.8).abs() < 1e-10, "{found:?}");
     let kink = |u: &dyn Fn(i64) -> f64, j: i64| (u(j) - 0.5).max(0.0);
     let kink = measured(&experiment(Base::About(vec![0.5; SIZE]), 1e-9), kink);
-    assert!(kink.is_err(), "{kink:?}");
+    assert!(matches!(kink, Err(Objection::NotSmooth { .. })), "{kink:?}");
 }
 
 #[test]

@@ -31,7 +31,8 @@ fn lax_wendroff_is_recognised_and_has_the_polynomial_of_the_equation() {
         here - c * (right - left) / 2.0 + c * c * (right - 2.0 * here + left) / 2.0
     });
     let found = found.unwrap();
-    let typed = "u[n+1,j] = u[n,j] - C/2*(u[n,j+1] - u[n,j-1]) + C^2/2*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
+    let typed =
+        "u[n+1,j] = u[n,j] - C/2*(u[n,j+1] - u[n,j-1]) + C^2/2*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
     let typed = Step::from_text(typed).unwrap();
     let read = Step::from_text(&found.equations().join("; ")).unwrap();
     assert_eq!(read.characteristic().unwrap(), typed.characteristic().unwrap());
