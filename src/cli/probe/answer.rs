@@ -115,7 +115,18 @@ fn record(arguments: &Arguments, plan: &Plan, answer: Result<&Answer, &Refusal>)
 fn found(plan: &Plan, answer: &Answer) -> Found {
     let measured = &answer.measured;
     let symbol = measured.parameter.as_deref().unwrap_or_default();
-    let of = |set: &StableSet| LimitRecord::new(&set.limit(), symbol, None);
+    // The closed form of a limit of decimals says nothing.
+    let closed = |record: LimitRecord| match measured.recognised {
+        true => record,
+        false => LimitRecord { exact: None, equation: None, ..record },
+    };
+    let of = |set: &StableSet| closed(LimitRecord::new(&set.limit(), symbol, None));
+    let interval = |record: IntervalRecord| IntervalRecord {
+        begin: record.begin.map(closed),
+        end: record.end.map(closed),
+        ..record
+    };
+    let stretches = answer.stable_set.iter().flat_map(|set| intervals(set, symbol));
     let names = measured.step.unknowns();
     let coefficient = |term: &StencilTerm| CoefficientRecord {
         of: names[term.place.row].clone(),
@@ -144,7 +155,7 @@ fn found(plan: &Plan, answer: &Answer) -> Found {
         equations: measured.equations(),
         coefficients: measured.terms.iter().map(coefficient).collect(),
         stability: answer.stable_set.as_ref().map(of),
-        stable_set: answer.stable_set.as_ref().map_or_else(Vec::new, |set| intervals(set, symbol)),
+        stable_set: stretches.map(interval).collect(),
         undecided: answer.stable_set.as_ref().map_or_else(Vec::new, undecided),
         monotonicity: answer.monotone_set.as_ref().map(of),
         rows: answer.judgements.iter().map(judged).collect(),
@@ -269,7 +280,8 @@ fn remarks(plan: &Plan, answer: &Answer) -> Vec<String> {
     if let Some(set) = &answer.stable_set {
         let symbol = measured.parameter.as_deref().unwrap_or_default();
         let limit = set.limit();
-        remarks.extend(exact_below(&limit, symbol).map(|text| format!("The limit: {text}")));
+        let exact = exact_below(&limit, symbol).filter(|_| measured.recognised);
+        remarks.extend(exact.map(|text| format!("The limit: {text}")));
         if !limit.is_included() && limit.is_positive() && limit.evidence() != Evidence::Undecided {
             remarks.push(
                 "At the limit itself two multipliers meet on the unit circle: an amplitude may grow like the number of steps.".into(),

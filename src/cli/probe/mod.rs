@@ -223,7 +223,11 @@ fn about(text: &str, layout: &StateLayout) -> Result<Vec<f64>, Failure> {
     })?;
     if values.len() != 1 && values.len() != layout.unknowns {
         let (found, needed) = (values.len(), layout.unknowns);
-        return Err(refuse(format!("{found} numbers; 1 or {needed}, one an unknown, is accepted")));
+        let accepted = match needed {
+            1 => "one is accepted".into(),
+            _ => format!("1 or {needed}, one an unknown, are accepted"),
+        };
+        return Err(refuse(format!("{found} numbers; {accepted}")));
     }
     let blocks = (0..layout.levels * layout.unknowns).map(|block| values[block % values.len()]);
     Ok(blocks.flat_map(|value| std::iter::repeat_n(value, layout.cells())).collect())

@@ -20,7 +20,7 @@ const VERIFICATIONS: usize = 2;
 const CHANCE: f64 = 1e-4;
 
 /// Growth per step up to this many tolerances is not told from none where coefficients are decimals.
-const OF_GROWTH: f64 = 1e5;
+const OF_GROWTH: f64 = 1e4;
 
 /// A step that was measured, as a scheme.
 #[derive(Debug, Clone)]
@@ -147,7 +147,7 @@ impl Fit {
     ) -> Option<Self> {
         // Spread over the range: predictions are then between measured values.
         let last = nodes.len() - 1;
-        let used = (0..=degree).map(|i| if degree == 0 { last / 2 } else { i * last / degree });
+        let used = (0..=degree).map(|i| (i * last).checked_div(degree).unwrap_or(last / 2));
         let used: Vec<usize> = used.collect();
         let basis = lagrange(&used.iter().map(|&i| &nodes[i]).collect::<Vec<_>>());
         let exact = |value: f64| from_f64(value).expect("measured numbers are finite");
