@@ -1,7 +1,7 @@
 //! One step of Maxwell's equations in the plane (Yee's lattice, transverse magnetic) as a filter of `.npy` files, for `courant probe`.
 //!
 //! The electric field Ez stands at the corners of cells, Hx and Hy on their sides; `C = c Δt/Δ`. Files are read and written without
-//! any library: 60 lines are all it takes to put a code before `courant probe`.
+//! any library.
 //!
 //! ```text
 //! cargo build --example probe_step

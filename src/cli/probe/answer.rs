@@ -30,12 +30,12 @@ pub struct Answer {
     pub judgements: Vec<(Option<Rational>, Judgement)>,
 }
 
-/// Why a program is no scheme, in one line.
+/// Why nothing is known of a program, or it is no scheme, in one line.
 pub struct Refusal(pub String);
 
 #[derive(Debug, Serialize)]
 struct Record {
-    /// Whether the program is a scheme.
+    /// Whether the program ran and is a scheme.
     measured: bool,
     reason: Option<String>,
     command: Vec<String>,
@@ -48,7 +48,7 @@ struct Record {
     tolerance: f64,
     parameter: Option<String>,
     parameters: BTreeMap<String, String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(flatten)]
     found: Option<Found>,
 }
 
@@ -165,9 +165,9 @@ fn found(plan: &Plan, answer: &Answer) -> Found {
 /// The answer no, with its reason.
 pub fn refuse(arguments: &Arguments, plan: &Plan, refusal: &Refusal) -> Result<Outcome, Failure> {
     match arguments.format {
-        Format::Table => print(&format!("no scheme: {}\n", refusal.0))?,
+        Format::Table => print(&format!("no: {}\n", refusal.0))?,
         format => {
-            let mut table = Table::new("No scheme", &[("reason", Align::Left)]);
+            let mut table = Table::new("No", &[("reason", Align::Left)]);
             table.push([refusal.0.as_str()]);
             print_record("probe", &record(arguments, plan, Err(refusal)), &table, format)?
         }

@@ -146,7 +146,7 @@ impl StepProgram {
         let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
         let first = lines.next().unwrap_or_default();
         let line = match first.starts_with("Traceback") {
-            true => lines.last().unwrap_or(first),
+            true => lines.next_back().unwrap_or(first),
             false => first,
         };
         let line: String = line.chars().take(MOST_CHARACTERS).collect();
