@@ -12,6 +12,7 @@ mod map;
 mod names;
 mod numbers;
 mod output;
+mod probe;
 mod progress;
 mod report;
 mod run;
@@ -57,6 +58,9 @@ enum Command {
     Run(Box<run::Arguments>),
     /// Predicted against measured, wave by wave, for any scheme; exit code 0 when they agree, 1 when they do not.
     Validate(validate::Arguments),
+    /// The user's own program as a scheme: its stencil by impulses, its stability limit, verdicts; exit code 0 when the program is a scheme
+    /// and all values of --set are stable, 1 when not.
+    Probe(Box<probe::Arguments>),
     /// Regenerate the one-dimensional tables and figures of a paper: index.html, index.md and all data. Not Cha &
     /// Whitworth's tests in two and three dimensions: Figures 28 to 34, Table 5.
     Report(report::Arguments),
@@ -145,6 +149,7 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Dispersion(arguments) => dispersion::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
+        Command::Probe(arguments) => probe::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Completions { shell } => {

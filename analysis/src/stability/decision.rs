@@ -156,7 +156,8 @@ impl Step {
                 decide_step_at(&at_zero, &plan.growth) == Ok(PointVerdict::Stable)
             });
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
-        if plan.growth.is_zero() { set.with_ends(self, parameter) } else { Ok(set) }
+        let set = if plan.growth.is_zero() { set.with_ends(self, parameter)? } else { set };
+        Ok(set.of_step(self))
     }
 
     /// The conditions for `|z| ≤ 1 + growth` as polynomials in the wave and one parameter.

@@ -130,7 +130,7 @@ pub(super) fn remarks(
         if limit.is_unbounded() {
             let evidence = match limit.evidence() {
                 Evidence::Enclosed => "with enclosed coefficients",
-                _ => "proved",
+                other => other.name(),
             };
             add(format!("stable without limit, {evidence}"));
         }
