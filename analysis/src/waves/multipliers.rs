@@ -13,6 +13,7 @@ use num_traits::One;
 use std::f64::consts::PI;
 
 mod errors;
+mod slopes;
 
 pub use errors::WavePolynomial;
 

@@ -150,6 +150,18 @@ impl ResolvedAxis {
     pub(super) fn fraction(&self, value: f64) -> f64 {
         (self.scale.coordinate(value) - self.a) / (self.b - self.a)
     }
+
+    /// How long it is in its own units.
+    pub(super) fn length(&self) -> f64 {
+        self.b - self.a
+    }
+
+    /// A linear axis made so many times longer, its middle where it was.
+    pub(super) fn lengthened(self, times: f64) -> ResolvedAxis {
+        let by = 0.5 * (times - 1.0) * self.length();
+        let (low, high) = (self.low - by, self.high + by);
+        ResolvedAxis { low, high, a: low, b: high, ..self }
+    }
 }
 
 #[cfg(test)]
