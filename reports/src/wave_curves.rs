@@ -4,10 +4,10 @@
 use crate::figure::{Anchor, Axis, Color, Dash, Figure, Line, Note, Panel, Rule};
 use crate::wave_map::wave_number_axis;
 use courant_analysis::waves::branches::{Branch, BranchWave};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Speeds relative to the equation are drawn up to this far from 1: spurious branches have no bounds.
-const FARTHEST: f64 = 2.5;
+const FARTHEST: f64 = 4.0;
 /// The gain is drawn up to this value.
 const HIGHEST_GAIN: f64 = 2.0;
 
@@ -67,17 +67,12 @@ impl WaveCurve {
 }
 
 /// An axis that shows all values within bounds, and the value that is no error.
-fn bounded(
-    label: &str,
-    values: impl Iterator<Item = f64>,
-    right: f64,
-    low: f64,
-    high: f64,
-) -> Axis {
+fn bounded(label: &str, values: impl Iterator<Item = f64>, right: f64, far: f64) -> Axis {
     let finite = values.filter(|value| value.is_finite());
     let (least, most) = finite.fold((right, right), |(a, b), value| (a.min(value), b.max(value)));
-    let (least, most) = (least.max(low), most.min(high));
-    let room = 0.06 * (most - least).max(1e-3);
+    let (least, most) = (least.max(right - far), most.min(right + far));
+    // Rounding errors are not drawn large.
+    let room = 0.06 * (most - least).max(0.02);
     Axis::linear(label).range(least - room, most + room)
 }
 
@@ -91,8 +86,9 @@ fn physical(curves: &[WaveCurve], of: impl Fn(&BranchWave) -> Option<f64>) -> Ve
 /// The figure: gain, signed phase error, group speed and multipliers in the complex plane; with directions also phase speed and gain
 /// against the direction.
 pub fn figure(title: &str, curves: &[WaveCurve], directions: &[DirectionCurve]) -> Figure {
-    let mut panels =
-        vec![gain(curves), phase_error(curves), group_speed(curves), multipliers(curves)];
+    let (error, error_title) = phase_error(curves);
+    let group = relative(curves, "group speed / exact", 1.0, true, BranchWave::group_speed);
+    let mut panels = vec![gain(curves), error, group, multipliers(curves)];
     if !directions.is_empty() {
         panels.push(against_direction(directions, "phase speed / exact", BranchWave::phase_speed));
         panels.push(against_direction(directions, "gain |z|", |wave| Some(wave.gain())));
@@ -100,7 +96,7 @@ pub fn figure(title: &str, curves: &[WaveCurve], directions: &[DirectionCurve]) 
     let letters = ["a", "b", "c", "d", "e", "f"];
     let titles = [
         "gain in one step",
-        "phase error: lead +, lag −",
+        error_title,
         "group speed",
         "multipliers",
         "phase speed and direction",
@@ -132,7 +128,7 @@ fn phase_axis(curves: &[WaveCurve]) -> Axis {
 
 fn gain(curves: &[WaveCurve]) -> Panel {
     let values = physical(curves, |wave| Some(wave.gain())).into_iter();
-    let axis = bounded("gain |z|", values.chain([0.9]), 1.0, 0.0, HIGHEST_GAIN);
+    let axis = bounded("gain |z|", values.chain([0.9]), 1.0, HIGHEST_GAIN - 1.0);
     let mut panel =
         Panel::new(phase_axis(curves), axis).layer(Rule::horizontal(1.0).color(Color::GREY));
     for curve in curves {
@@ -149,24 +145,38 @@ fn gain(curves: &[WaveCurve]) -> Panel {
     panel
 }
 
-fn phase_error(curves: &[WaveCurve]) -> Panel {
-    let error = |wave: &BranchWave| wave.phase_error();
-    let values = physical(curves, error).into_iter();
-    let axis = bounded("speed error ω/ω_exact − 1", values, 0.0, -FARTHEST, FARTHEST);
-    let lines = curves.iter().flat_map(|curve| curve.lines(error, false));
-    Panel::new(phase_axis(curves), axis)
-        .layer(Rule::horizontal(0.0).color(Color::GREY))
-        .layers(lines)
+/// What an equation that moves no wave leaves empty.
+const NO_WAVE: &str = "nothing travels, or nothing is known of the equation";
+
+/// A panel of a quantity relative to the equation.
+fn relative(
+    curves: &[WaveCurve],
+    label: &str,
+    right: f64,
+    spurious: bool,
+    of: impl Fn(&BranchWave) -> Option<f64> + Copy,
+) -> Panel {
+    let values = physical(curves, of);
+    let phases = phase_axis(curves);
+    if values.is_empty() {
+        let axis = Axis::linear(label).range(right - 1.0, right + 1.0);
+        return Panel::new(phases.range(0.0, PI), axis).layer(Note::new(FRAC_PI_2, right, NO_WAVE));
+    }
+    let axis = bounded(label, values.into_iter(), right, FARTHEST);
+    let lines = curves.iter().flat_map(|curve| curve.lines(of, spurious));
+    Panel::new(phases, axis).layer(Rule::horizontal(right).color(Color::GREY)).layers(lines)
 }
 
-fn group_speed(curves: &[WaveCurve]) -> Panel {
-    let speed = |wave: &BranchWave| wave.group_speed();
-    let values = physical(curves, speed).into_iter();
-    let axis = bounded("group speed / exact", values, 1.0, 1.0 - FARTHEST, 1.0 + FARTHEST);
-    let lines = curves.iter().flat_map(|curve| curve.lines(speed, true));
-    Panel::new(phase_axis(curves), axis)
-        .layer(Rule::horizontal(1.0).color(Color::GREY))
-        .layers(lines)
+/// The error of the phase speed, or of the rate of decay where the equation only damps.
+fn phase_error(curves: &[WaveCurve]) -> (Panel, &'static str) {
+    let decay = |wave: &BranchWave| Some(wave.decay_ratio()? - 1.0);
+    let damps = physical(curves, BranchWave::phase_error).is_empty();
+    if damps && !physical(curves, decay).is_empty() {
+        let panel = relative(curves, "rate / exact − 1", 0.0, false, decay);
+        return (panel, "error of the rate of decay");
+    }
+    let panel = relative(curves, "phase speed / exact − 1", 0.0, false, BranchWave::phase_error);
+    (panel, "phase error: lead +, lag −")
 }
 
 /// The path of every multiplier from long waves to short ones, with the unit circle.
@@ -194,7 +204,7 @@ fn against_direction(
 ) -> Panel {
     let waves = || curves.iter().flat_map(|curve| &curve.waves);
     let values = waves().filter_map(|(_, wave)| of(wave));
-    let y = bounded(label, values, 1.0, 1.0 - FARTHEST, 1.0 + FARTHEST);
+    let y = bounded(label, values, 1.0, FARTHEST);
     let x = Axis::linear("direction (degrees)").range(0.0, 90.0);
     let x = x.ticks((0..=6).map(|k| (15.0 * f64::from(k), (15 * k).to_string())));
     let mut panel = Panel::new(x, y).layer(Rule::horizontal(1.0).color(Color::GREY));

@@ -11,6 +11,9 @@ use std::f64::consts::{PI, TAU};
 /// Where branches begin: waves so long that they do what the equation says.
 pub(super) const LONG: f64 = 1e-4;
 
+/// A multiplier of this size is a rounding error.
+const NOTHING: f64 = 1e-13;
+
 /// A scheme with values for all its parameters, ready to be followed wave by wave, with what its equation does to them.
 ///
 /// ```
@@ -158,6 +161,10 @@ impl Branches {
         let mut exponent = self.exponent(y);
         if self.is_rate {
             return BranchWave { phase, multiplier: y.exp(), exponent, slope, exact };
+        }
+        if (y + 1.0).norm() < NOTHING {
+            // Nothing is left that had an argument.
+            exponent.im = f64::NAN;
         }
         exponent.im += TAU * ((argument - exponent.im) / TAU).round();
         BranchWave { phase, multiplier: y + 1.0, exponent, slope: slope / (y + 1.0), exact }

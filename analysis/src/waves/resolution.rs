@@ -1,14 +1,14 @@
 //! How many points a wave needs: metrics of a branch along a direction.
 
 use super::branches::{BranchWave, Branches, LONG};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Errors for which the resolution is told.
 pub const ERRORS: [f64; 3] = [0.1, 0.01, 0.001];
 
 /// Waves looked at up to the shortest one.
 const WAVES: usize = 512;
-/// What keeps the quotient of two small errors apart (Hu & Adams 2012).
+/// What keeps the quotient of two small errors apart (Hu, Tritschler, Pirozzoli & Adams 2012).
 const SMALL: f64 = 1e-3;
 
 /// What the error is of.
@@ -29,13 +29,13 @@ impl Measure {
         }
     }
 
-    /// The error of a wave; infinite where there is none to tell.
+    /// The error of a wave; none where nothing is left of it.
     fn error(self, wave: &BranchWave) -> f64 {
         let ratio = match self {
             Self::PhaseSpeed => wave.phase_speed(),
             Self::DecayRate => wave.decay_ratio(),
         };
-        ratio.map_or(f64::INFINITY, |ratio| (ratio - 1.0).abs())
+        ratio.map_or(0.0, |ratio| (ratio - 1.0).abs())
     }
 }
 
@@ -50,7 +50,7 @@ pub struct Resolution {
     pub phases_after: [Option<f64>; 3],
     /// The shortest wave of the direction.
     pub shortest: f64,
-    /// The largest `(|c_g/c − 1| + 0.001)/(−Im κ' + 0.001)` and the phase where it is (Hu & Adams 2012), with group speed `c_g` and modified
+    /// The largest `(|c_g/c − 1| + 0.001)/(−Im κ' + 0.001)` and the phase where it is (Hu, Tritschler, Pirozzoli & Adams 2012), with group speed `c_g` and modified
     /// wave number `κ' = ω/a` in radians per cell: above about 10 waves of the wrong group speed outlive their damping. `None` where a wave
     /// grows or nothing travels.
     pub dispersion_to_dissipation: Option<(f64, f64)>,
@@ -65,13 +65,12 @@ pub fn points_per_wavelength(phase: f64) -> f64 {
     TAU / phase
 }
 
-/// Lele's resolving efficiency: the part of the waves up to `φ = π` that is resolved (Lele 1992, section 2.2).
-///
-/// ```
-/// assert_eq!(courant_analysis::waves::resolution::resolving_efficiency(std::f64::consts::PI), 1.0);
-/// ```
-pub fn resolving_efficiency(phase: f64) -> f64 {
-    phase / PI
+impl Resolution {
+    /// Lele's resolving efficiency: the part of the waves down to the shortest one of the direction that is resolved (Lele 1992,
+    /// section 2.2).
+    pub fn efficiency(&self, phase: f64) -> f64 {
+        phase / self.shortest
+    }
 }
 
 impl Branches {

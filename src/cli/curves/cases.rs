@@ -2,7 +2,7 @@
 
 use super::Arguments;
 use crate::cli::Failure;
-use crate::cli::subject::{Defaults, Kind, Label, Subject};
+use crate::cli::subject::{Defaults, Kind, Label, Subject, complete};
 use courant::analysis::exact::rational::{integer, to_text};
 use courant::analysis::scheme::{Integrator, Step};
 use courant::analysis::waves::branches::Branches;
@@ -58,7 +58,7 @@ pub fn cases(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
 fn case(arguments: &Arguments, mut subject: Subject) -> Result<Case, Failure> {
     let failed = |error| subject.failure(&error);
     if !subject.file.is_of_lines() || subject.integrator.is_some() {
-        let step = subject.opened(&[])?;
+        let step = subject.complete_step()?;
         let (exact, without_exact) = exact(arguments, &subject, &step)?;
         let branches = Branches::of_step(&step, exact).map_err(failed)?;
         return Ok(Case { step, branches, without_exact, subject });
@@ -73,6 +73,7 @@ fn case(arguments: &Arguments, mut subject: Subject) -> Result<Case, Failure> {
     let euler = Integrator::named("forward-euler").expect("it is in the catalogue");
     let failed = |error| subject.failure(&error);
     let step = Step::lines(&lines, euler).map_err(failed)?;
+    complete(&step)?;
     let (exact, without_exact) = exact(arguments, &subject, &step)?;
     let branches = Branches::of_lines(&lines, exact).map_err(failed)?;
     Ok(Case { step, branches, without_exact, subject })
@@ -109,6 +110,11 @@ fn exact(
 }
 
 impl Case {
+    /// Whether no integrator completes its equations.
+    pub fn is_exact_in_time(&self) -> bool {
+        self.subject.file.is_of_lines() && self.subject.integrator.is_none()
+    }
+
     /// What tells it from the others.
     pub fn labels(&self) -> Vec<Label> {
         self.subject.labels()

@@ -4,9 +4,7 @@ use super::{Arguments, Curve};
 use crate::cli::columns::{empty, number, subject_cells, subject_columns};
 use crate::cli::output::Format;
 use crate::cli::subject::Label;
-use courant::analysis::waves::resolution::{
-    ERRORS, Resolution, points_per_wavelength, resolving_efficiency,
-};
+use courant::analysis::waves::resolution::{ERRORS, Resolution, points_per_wavelength};
 use courant::reports::number::{finite, significant};
 use courant::reports::record::SubjectRecord;
 use courant::reports::table::{Align, Table};
@@ -47,7 +45,7 @@ pub fn metrics<'a>(arguments: &Arguments, curve: &'a Curve) -> Metrics<'a> {
             wavelengths,
             phase,
             points_per_wavelength: phase.map(points_per_wavelength),
-            resolving_efficiency: phase.map(resolving_efficiency),
+            resolving_efficiency: found.zip(phase).map(|(found, phase)| found.efficiency(phase)),
         };
         ERRORS.into_iter().zip(phases).map(one)
     };
@@ -92,16 +90,22 @@ pub fn table(arguments: &Arguments, curves: &[Curve], varying: &[String]) -> Tab
     }
     let percent = |error: f64| format!("{} %", significant(100.0 * error, 1));
     columns.extend(ERRORS.map(|error| (percent(error), Align::Right)));
-    columns.extend(ERRORS.map(|error| (format!("e({error})"), Align::Right)));
-    if let Some(after) = after {
-        let heading = |error| (format!("{} after {after}", percent(error)), Align::Right);
-        columns.extend(ERRORS.map(heading));
-    }
+    // A page has room for one of the two.
+    columns.extend(ERRORS.map(|error| match after {
+        Some(after) => (format!("{}/{after}", percent(error)), Align::Right),
+        None => (format!("e({error})"), Align::Right),
+    }));
     columns.push(("disp/diss".into(), Align::Right));
     let columns: Vec<(&str, Align)> =
         columns.iter().map(|(c, align)| (c.as_str(), *align)).collect();
-    let caption = "Points per wavelength for an error of 10 %, 1 %, 0.1 % of a wavelength per wavelength travelled, resolving \
-                   efficiency e = 2/points, and the largest quotient of dispersion and dissipation";
+    let second = match after {
+        Some(after) => format!("the same after {after} wavelengths"),
+        None => "resolving efficiency e".into(),
+    };
+    let caption = format!(
+        "Points per wavelength for an error of 10 %, 1 %, 0.1 % of a wavelength per wavelength travelled, {second}, and the largest \
+         quotient of dispersion and dissipation"
+    );
     let mut table = Table::new(caption, &columns);
     for curve in curves {
         let found = metrics(arguments, curve);
@@ -123,8 +127,10 @@ pub fn table(arguments: &Arguments, curves: &[Curve], varying: &[String]) -> Tab
         };
         let (first, later) = found.resolution.split_at(ERRORS.len());
         cells.extend(first.iter().map(points));
-        cells.extend(first.iter().map(efficiency));
-        cells.extend(later.iter().map(points));
+        match after {
+            Some(_) => cells.extend(later.iter().map(points)),
+            None => cells.extend(first.iter().map(efficiency)),
+        }
         cells.push(found.dispersion_to_dissipation.map_or("–".into(), |r| significant(r, 3)));
         table.push(cells);
     }

@@ -19,7 +19,6 @@ use courant::reports::record::SubjectRecord;
 use phases::{Degrees, Phases};
 use rayon::prelude::*;
 use serde::Serialize;
-use std::f64::consts::PI;
 use std::path::PathBuf;
 
 /// Waves of a curve where nobody says.
@@ -32,7 +31,7 @@ pub struct Arguments {
     #[command(flatten)]
     subject: SubjectOptions,
     /// Phases in radians per cell, from above 0 to pi: pi/64:pi:pi/64 or 0.1,pi/2; in several dimensions the length of the wave vector
-    /// (default: 128 of them).
+    /// (default: 128 of them down to the shortest wave).
     #[arg(long, alias = "kappa", value_name = "RANGE", allow_hyphen_values = true, value_parser = phases::phases)]
     phase: Option<Phases>,
     /// Directions of the wave vector in two dimensions, in degrees from the first axis (default: 0,15,30,45).
@@ -109,6 +108,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     match table_text(&table, arguments.format) {
         Some(text) if arguments.format == Format::Table => {
             let mut remarks = assumptions(cases.iter().map(|case| &case.subject));
+            if cases.iter().any(Case::is_exact_in_time) {
+                remarks.push("without an integrator: exact in time".into());
+            }
             remarks.extend(cases.iter().filter_map(|case| {
                 let why = case.without_exact.as_ref()?;
                 Some(format!("{}: no errors: {why}", case.subject.file.name))
@@ -148,7 +150,8 @@ fn within_reach(arguments: &Arguments, directions: &[Direction]) -> Result<(), F
 }
 
 fn curve(arguments: &Arguments, case: &Case, along: &Direction) -> Curve {
-    let usual = || (1..=WAVES).map(|k| PI * k as f64 / WAVES as f64).collect();
+    let shortest = Branches::shortest(&along.vector);
+    let usual = || (1..=WAVES).map(|k| shortest * k as f64 / WAVES as f64).collect();
     let phases: Vec<f64> = arguments.phase.as_ref().map_or_else(usual, |phases| phases.0.clone());
     let wavelengths = arguments.wavelengths().unwrap_or(1.0);
     Curve {

@@ -56,7 +56,9 @@ fn row<'a>(
     let reason = match (wave.exact, speeds) {
         (None, _) => Some("nothing is known of the equation"),
         (Some((exact, _)), (None, _)) if exact.im == 0.0 => Some("the equation moves no wave"),
-        _ if wave.multiplier.norm() == 0.0 => Some("one step takes the whole wave away"),
+        _ if wave.exponent.im.is_nan() && wave.multiplier.is_finite() => {
+            Some("one step takes the whole wave away")
+        }
         (_, (Some(_), None)) => Some("two multipliers meet: there is no group speed"),
         (_, (None, _)) => Some("the multiplier is infinite"),
         _ => None,

@@ -200,6 +200,13 @@ impl Subject {
         self.with_defaults(self.open_step()?, but)
     }
 
+    /// Its step with values and defaults for all parameters.
+    pub fn complete_step(&self) -> Result<Step, Failure> {
+        let step = self.opened(&[])?;
+        complete(&step)?;
+        Ok(step)
+    }
+
     fn with_defaults(&self, step: Step, but: &[&str]) -> Result<Step, Failure> {
         let mut step = self.set(step, but)?;
         for (name, default) in &self.file.parameters {
@@ -427,6 +434,14 @@ pub fn density_name(density: Density) -> &'static str {
 
 fn joined(names: &[&String]) -> String {
     names.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", ")
+}
+
+/// Refuses a step with parameters that have no value.
+pub fn complete(step: &Step) -> Result<(), Failure> {
+    match step.free_parameters() {
+        open if open.is_empty() => Ok(()),
+        open => Err(without_values(&open)),
+    }
 }
 
 /// Parameters are missing.

@@ -2,6 +2,7 @@ use super::*;
 use crate::exact::rational::{integer, ratio};
 use crate::scheme::{Integrator, Step, catalogue};
 use crate::waves::exact_wave::ExactWave;
+use std::f64::consts::PI;
 
 /// A space of the catalogue, exact in time, with C = 1.
 fn space(name: &str) -> Branches {
@@ -34,7 +35,7 @@ fn resolving_efficiencies_are_those_of_modified_wave_numbers() {
     for (name, modified, printed) in cases {
         let found = space(name).resolution(&[1.0], 1.0).unwrap();
         for ((phase, error), printed) in found.phases.into_iter().zip(ERRORS).zip(printed) {
-            let e = resolving_efficiency(phase.unwrap());
+            let e = found.efficiency(phase.unwrap());
             let fine = (1..).map(|k| f64::from(k) * 1e-5);
             let off = |k: &f64| (modified(*k) - k).abs() / k > error;
             let scanned = fine.into_iter().find(off).unwrap() / PI;
@@ -84,5 +85,9 @@ fn an_exact_shift_resolves_everything_and_an_unstable_scheme_has_no_ratio() {
         Branches::of_step(&step, exact).unwrap().resolution(&[1.0], 3.0).unwrap()
     };
     assert_eq!(at("upwind", integer(1)).phases_after, [Some(PI); 3]);
+    // At C = 1/2 the sawtooth is gone after one step, and all others travel right.
+    let half = at("upwind", ratio(1, 2));
+    assert_eq!(half.phases_after, [Some(PI); 3]);
+    assert_eq!(half.efficiency(half.phases[0].unwrap()), 1.0);
     assert_eq!(at("ftcs-advection", ratio(1, 2)).dispersion_to_dissipation, None);
 }
