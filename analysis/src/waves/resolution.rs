@@ -8,7 +8,7 @@ pub const ERRORS: [f64; 3] = [0.1, 0.01, 0.001];
 
 /// Waves looked at up to the shortest one.
 const WAVES: usize = 512;
-/// What keeps the quotient of two small errors apart (Hu, Tritschler, Pirozzoli & Adams 2012).
+/// What keeps the quotient of two small errors finite (Hu, Tritschler, Pirozzoli & Adams 2012).
 const SMALL: f64 = 1e-3;
 
 /// What the error is of.
@@ -50,9 +50,9 @@ pub struct Resolution {
     pub phases_after: [Option<f64>; 3],
     /// The shortest wave of the direction.
     pub shortest: f64,
-    /// The largest `(|c_g/c − 1| + 0.001)/(−Im κ' + 0.001)` and the phase where it is (Hu, Tritschler, Pirozzoli & Adams 2012), with group speed `c_g` and modified
-    /// wave number `κ' = ω/a` in radians per cell: above about 10 waves of the wrong group speed outlive their damping. `None` where a wave
-    /// grows or nothing travels.
+    /// The largest `(|c_g/c − 1| + 0.001)/(−Im κ' + 0.001)` and the phase where it is, after Hu, Tritschler, Pirozzoli & Adams 2012, with
+    /// the group speed `c_g` and the modified wave number `κ' = ω/a` in radians per cell: how much faster waves run away than they are
+    /// damped. `None` where a wave grows or nothing travels.
     pub dispersion_to_dissipation: Option<(f64, f64)>,
 }
 
