@@ -83,15 +83,18 @@ fn physical(curves: &[WaveCurve], of: impl Fn(&BranchWave) -> Option<f64>) -> Ve
     waves.filter_map(of).collect()
 }
 
-/// The figure: gain, signed phase error, group speed and multipliers in the complex plane; with directions also phase speed and gain
-/// against the direction.
+/// The figure: gain, signed phase error, group speed and multipliers in the complex plane; with directions also phase speed and gain,
+/// or group speed where nothing is damped, against the direction.
 pub fn figure(title: &str, curves: &[WaveCurve], directions: &[DirectionCurve]) -> Figure {
     let (error, error_title) = phase_error(curves);
     let group = relative(curves, "group speed / exact", 1.0, true, BranchWave::group_speed);
     let mut panels = vec![gain(curves), error, group, multipliers(curves)];
     if !directions.is_empty() {
         panels.push(against_direction(directions, "phase speed / exact", BranchWave::phase_speed));
-        panels.push(against_direction(directions, "gain |z|", |wave| Some(wave.gain())));
+        panels.push(match damps(directions) {
+            true => against_direction(directions, "gain |z|", |wave| Some(wave.gain())),
+            false => against_direction(directions, "group speed / exact", BranchWave::group_speed),
+        });
     }
     let letters = ["a", "b", "c", "d", "e", "f"];
     let titles = [
@@ -100,7 +103,7 @@ pub fn figure(title: &str, curves: &[WaveCurve], directions: &[DirectionCurve]) 
         "group speed",
         "multipliers",
         "phase speed and direction",
-        "gain and direction",
+        if damps(directions) { "gain and direction" } else { "group speed and direction" },
     ];
     let panels = panels.into_iter().zip(letters.into_iter().zip(titles));
     let panels = panels.map(|(panel, (letter, title))| panel.title(format!("({letter}) {title}")));
@@ -197,6 +200,12 @@ fn multipliers(curves: &[WaveCurve]) -> Panel {
     panel
 }
 
+/// Whether any wave loses or gains more than rounding errors.
+fn damps(curves: &[DirectionCurve]) -> bool {
+    let mut waves = curves.iter().flat_map(|curve| &curve.waves);
+    waves.any(|(_, wave)| (wave.gain() - 1.0).abs() > 1e-9)
+}
+
 fn against_direction(
     curves: &[DirectionCurve],
     label: &str,
@@ -273,6 +282,17 @@ mod tests {
         assert_eq!(curves[1].lines(BranchWave::phase_error, false).len(), 1);
         let figure = figure("test", &curves, &[]);
         assert!(figure.png().is_ok() && figure.svg().unwrap().starts_with("<svg"));
+    }
+
+    #[test]
+    fn a_figure_of_diffusion_shows_the_rate_of_decay() {
+        let file = catalogue::scheme("heat-ftcs").unwrap();
+        let step = file.step(None, None, &[("r".into(), ratio(1, 6))], None).unwrap();
+        let exact = ExactWave::stated(file.exact.as_deref().unwrap(), &step).unwrap();
+        let branches = Branches::of_step(&step, exact).unwrap().along(&[1.0], &[1.0, 2.0, 3.0]);
+        let curve = WaveCurve { name: "heat".into(), color: 0, dash: 0, branches };
+        assert_eq!(phase_error(std::slice::from_ref(&curve)).1, "error of the rate of decay");
+        assert!(figure("heat", &[curve], &[]).svg().is_ok());
     }
 
     #[test]

@@ -168,7 +168,7 @@ fn dispersion_to_dissipation(waves: &[BranchWave]) -> Option<(f64, f64)> {
         let (exact, _) = wave.exact?;
         // Im κ' of κ' = iλ φ/|Im λ_exact|; the exact damping is no error.
         let damping = -(wave.exponent.re - exact.re) * wave.phase / exact.im.abs();
-        if !(damping > -1e-12) {
+        if damping.is_nan() || damping < -1e-12 {
             return None;
         }
         let Some(group) = wave.group_speed() else { continue };

@@ -182,6 +182,14 @@ mod tests {
     }
 
     #[test]
+    fn a_longer_axis_keeps_its_middle() {
+        let axis = Axis::linear("x").range(-1.0, 3.0).resolve([].into_iter(), 0.0).unwrap();
+        let longer = axis.lengthened(2.0);
+        assert_eq!((longer.low, longer.high, longer.length()), (-3.0, 5.0, 8.0));
+        assert_eq!((axis.fraction(1.0), longer.fraction(1.0)), (0.5, 0.5));
+    }
+
+    #[test]
     fn impossible_ranges_are_errors() {
         for axis in [
             Axis::log("x").range(0.0, 1.0),

@@ -93,7 +93,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let labels: Vec<Vec<Label>> = cases.iter().map(Case::labels).collect();
     let varying = varying(&labels);
     let picture = picture::figure(&cases, &curves, &labels, &varying);
-    let stem = picture::stem(&labels, &varying);
+    let stem = picture::stem(&labels);
     let mut files = vec![
         (format!("{stem}.png"), picture.png()?),
         (format!("{stem}.svg"), picture.svg()?.into_bytes()),

@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::cases::Case;
-use crate::cli::subject::{Label, row_name};
+use crate::cli::subject::Label;
 use courant::reports::figure::Figure;
 use courant::reports::wave_curves::{self, DirectionCurve, WaveCurve, angles, unit_vector};
 use rayon::prelude::*;
@@ -14,6 +14,8 @@ const WAVELENGTHS: [f64; 3] = [4.0, 8.0, 16.0];
 const DASHES: usize = 4;
 /// Schemes in the name of a file.
 const NAMED: usize = 3;
+/// The longest name of a file.
+const LONGEST_STEM: usize = 60;
 
 /// Colour and dash of each subject.
 fn looks(labels: &[Vec<Label>], varying: &[String], plane: bool) -> Vec<(usize, usize)> {
@@ -101,8 +103,8 @@ fn against_direction(cases: &[Case], looks: &[(usize, usize)]) -> Vec<DirectionC
     curves.collect()
 }
 
-/// A name for the files: the schemes, as many as a name has room for.
-pub fn stem(labels: &[Vec<Label>], varying: &[String]) -> String {
+/// A name for the files: one subject with its values, or the schemes, as many as a name has room for.
+pub fn stem(labels: &[Vec<Label>]) -> String {
     let mut names: Vec<&str> = Vec::new();
     for row in labels {
         let first = row[0].cell.as_str();
@@ -116,11 +118,13 @@ pub fn stem(labels: &[Vec<Label>], varying: &[String]) -> String {
     if more > 0 {
         text = format!("{text}_and_{more}_more");
     }
-    if labels.len() == 1 {
-        text = format!("{text} {}", row_name(&labels[0], varying));
+    if let [one] = labels {
+        let cell =
+            |label: &Label| if label.is_text() { &label.cell } else { &label.caption }.clone();
+        text = one.iter().map(cell).collect::<Vec<_>>().join("_");
     }
     let plain = |c: char| if c.is_ascii_alphanumeric() || "-.".contains(c) { c } else { '_' };
-    let text: String = text.chars().map(plain).take(60).collect();
+    let text: String = text.chars().map(plain).take(LONGEST_STEM).collect();
     let parts: Vec<&str> = text.split('_').filter(|part| !part.is_empty()).collect();
     format!("curves_{}", parts.join("_"))
 }
