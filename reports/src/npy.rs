@@ -136,6 +136,15 @@ fn shape(text: &str) -> Option<Vec<usize>> {
     sizes.map(|size| size.parse().ok()).collect()
 }
 
+/// The same of rows that stand one after another.
+///
+/// # Panics
+/// When the last row is not whole.
+pub fn encode_rows(values: Vec<f64>, width: usize) -> Vec<u8> {
+    let array = Array2::from_shape_vec((values.len() / width, width), values);
+    encode(&array.expect("whole rows"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

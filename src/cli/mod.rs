@@ -2,6 +2,7 @@
 
 mod check;
 mod columns;
+mod curves;
 mod dispersion;
 mod error;
 mod limit_text;
@@ -49,6 +50,9 @@ enum Command {
     /// Verdict on values of a parameter, such as the Courant number; exit code 0 when all are stable or marginal (with --growth: grow by
     /// no more), 1 when one is not or is undecided.
     Check(check::Arguments),
+    /// What a scheme does to every wave, branch by branch: gain, phase error, phase and group speed, points per wavelength; one figure
+    /// for all schemes and values.
+    Curves(curves::Arguments),
     /// Maps over two parameters: amplification with the proved limit for any scheme; phase error, amplitude or stable steps of a particle
     /// method. PNG, SVG, CSV, NPY.
     Map(map::Arguments),
@@ -145,6 +149,7 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Symbol(arguments) => symbol::run(&arguments),
         Command::Limits(arguments) => limits::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Curves(arguments) => curves::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
         Command::Dispersion(arguments) => dispersion::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),

@@ -150,6 +150,18 @@ impl ResolvedAxis {
     pub(super) fn fraction(&self, value: f64) -> f64 {
         (self.scale.coordinate(value) - self.a) / (self.b - self.a)
     }
+
+    /// How long it is in its own units.
+    pub(super) fn length(&self) -> f64 {
+        self.b - self.a
+    }
+
+    /// A linear axis made so many times longer, its middle where it was.
+    pub(super) fn lengthened(self, times: f64) -> ResolvedAxis {
+        let by = 0.5 * (times - 1.0) * self.length();
+        let (low, high) = (self.low - by, self.high + by);
+        ResolvedAxis { low, high, a: low, b: high, ..self }
+    }
 }
 
 #[cfg(test)]
@@ -167,6 +179,14 @@ mod tests {
             let r = fit(Axis::linear("x"), data).unwrap();
             assert!(r.low < r.high);
         }
+    }
+
+    #[test]
+    fn a_longer_axis_keeps_its_middle() {
+        let axis = Axis::linear("x").range(-1.0, 3.0).resolve([].into_iter(), 0.0).unwrap();
+        let longer = axis.lengthened(2.0);
+        assert_eq!((longer.low, longer.high, longer.length()), (-3.0, 5.0, 8.0));
+        assert_eq!((axis.fraction(1.0), longer.fraction(1.0)), (0.5, 0.5));
     }
 
     #[test]

@@ -27,6 +27,7 @@ pub struct Panel {
     legend: Option<Corner>,
     color_bar: Option<ColorBar>,
     grid: bool,
+    equal_units: bool,
 }
 
 impl Panel {
@@ -40,6 +41,7 @@ impl Panel {
             legend: None,
             color_bar: None,
             grid: true,
+            equal_units: false,
         }
     }
 
@@ -76,6 +78,12 @@ impl Panel {
     /// Leaves out the grid.
     pub fn without_grid(mut self) -> Panel {
         self.grid = false;
+        self
+    }
+
+    /// Makes a unit as long upwards as to the right, so that circles are round: one of two linear axes shows more than its range.
+    pub fn equal_units(mut self) -> Panel {
+        self.equal_units = true;
         self
     }
 
@@ -208,8 +216,25 @@ impl Resolved<'_> {
         }
     }
 
+    /// With axes in the units that a plot of this size asks for.
+    fn fitted(&self, rect: &Rect) -> Self {
+        let (mut x, mut y) = (self.x, self.y);
+        if self.panel.equal_units {
+            let wanted = y.length() * rect.width() / rect.height();
+            match wanted > x.length() {
+                true => x = x.lengthened(wanted / x.length()),
+                false => y = y.lengthened(x.length() / wanted),
+            }
+        }
+        Resolved { panel: self.panel, x, y }
+    }
+
     /// Draws the panel with its plot in the rectangle; the title and labels stand around it.
     pub(super) fn draw(&self, scene: &mut Scene, rect: Rect, left: f64) {
+        self.fitted(&rect).draw_fitted(scene, rect, left);
+    }
+
+    fn draw_fitted(&self, scene: &mut Scene, rect: Rect, left: f64) {
         let panel = self.panel;
         let frame = Frame { rect, x: self.x, y: self.y };
         let (x_ticks, y_ticks) = (self.x_ticks(rect.width()), self.y_ticks(rect.height()));

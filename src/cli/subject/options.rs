@@ -81,6 +81,8 @@ pub struct Defaults {
     pub integrators: Option<String>,
     /// Whether the relation printed for gph is accepted.
     pub published: bool,
+    /// Whether equations in space may stand without an integrator: exact in time.
+    pub exact_in_time: bool,
 }
 
 fn refuse(message: impl Into<String>) -> Failure {
@@ -219,7 +221,7 @@ impl SubjectOptions {
                 vec![None]
             };
             let completed = if file.is_of_lines() {
-                if integrators == [None] {
+                if integrators == [None] && !defaults.exact_in_time {
                     return Err(refuse(format!(
                         "--integrator is required: {} gives rates of change only; see courant list integrators",
                         file.name

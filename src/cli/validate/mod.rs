@@ -91,7 +91,14 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let schemes = (!arguments.subject.is_named())
         .then(|| AdvectionScheme::ALL.map(AdvectionScheme::name).join(","));
     let integrators = method.then(|| catalogue::PARTICLE_INTEGRATORS.join(","));
-    let defaults = Defaults { kernels, ratios: vec![ratio], schemes, integrators, published: true };
+    let defaults = Defaults {
+        kernels,
+        ratios: vec![ratio],
+        schemes,
+        integrators,
+        published: true,
+        ..Defaults::default()
+    };
     let subjects = arguments.subject.subjects(&defaults)?;
     let running = |subject: &Subject| {
         subject.kind == Kind::Scheme && subject.file.name.parse::<AdvectionScheme>().is_ok()
