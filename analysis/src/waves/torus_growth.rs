@@ -24,6 +24,9 @@ const FINE: f64 = 1e-7;
 /// Lengths of long waves that are looked at in the direction of one that was proved to grow, each 0.7 of the phase of the last.
 const LONG_WAVES: usize = 80;
 
+/// `|z|² − 1` above this is more than roundings.
+const SEEN: f64 = 1e-9;
+
 /// Bits of the arithmetic of the refinement: 38 digits.
 const BITS: u32 = 128;
 
@@ -62,17 +65,27 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
         }
     }
     let from_samples = apart.into_iter().map(|phases| (phases, spacing));
-    let from_witness = witness.map(|wave| match wave.phases().iter().all(|phase| *phase == 0.0) {
-        true => fastest_long_wave(&precise, wave.direction(), spacing),
-        false => {
-            let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
-            (wave.phases().to_vec(), spacing.min(0.5 * size))
-        }
-    });
+    let from_witness =
+        witness.map(|wave: &Wave| match wave.phases().iter().all(|phase| *phase == 0.0) {
+            true => fastest_long_wave(&precise, wave.direction(), spacing),
+            false => {
+                let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
+                (wave.phases().to_vec(), spacing.min(0.5 * size))
+            }
+        });
     let best = from_samples
-        .chain(from_witness)
-        .map(|(phases, size)| refined(&precise, phases, size))
+        .map(|(phases, size)| refined(&sampled, phases, size))
         .max_by(|a, b| a.0.total_cmp(&b.0));
+    // Growth that floating point does not see is looked for about the witness, in as many digits as it takes.
+    let seen = best.as_ref().is_some_and(|(excess, _)| *excess > SEEN);
+    let precisely = |phases: &[f64]| {
+        let found = precise.largest(&place(&precise, phases));
+        found.map_or(f64::INFINITY, logarithmic)
+    };
+    let best = match from_witness {
+        Some((phases, size)) if !seen => Some(refined(&precisely, phases, size)),
+        _ => best,
+    };
     let phases = best.map_or_else(|| vec![0.0; step.dimension()], |(_, phases)| phases);
     let mut bits = 2 * BITS;
     loop {
@@ -152,11 +165,7 @@ pub(crate) fn place(precise: &PreciseStep, phases: &[f64]) -> Place {
 }
 
 /// The maximum about a wave, by steps to its neighbours that become ever smaller.
-fn refined(precise: &PreciseStep, mut phases: Vec<f64>, size: f64) -> (f64, Vec<f64>) {
-    let value = |phases: &[f64]| match precise.largest(&place(precise, phases)) {
-        None => f64::INFINITY,
-        Some(found) => logarithmic(found),
-    };
+fn refined(value: &impl Fn(&[f64]) -> f64, mut phases: Vec<f64>, size: f64) -> (f64, Vec<f64>) {
     let (mut best, mut step) = (value(&phases), size);
     let count = 3usize.pow(phases.len() as u32);
     while step > FINE * size {
