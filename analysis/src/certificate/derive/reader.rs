@@ -4,7 +4,7 @@ use super::super::verify::{CertificateError, ensure};
 use super::kernel::{Lattice, Weight};
 use super::letters::{BITS, Letters, in_units, pi, root};
 use super::parser::{Tree, affine, equations, whole};
-use super::polynomial::{Letter, Poly};
+use super::polynomial::{Letter, Poly, Shifts};
 use crate::exact::rational::{Rational, ratio};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -87,9 +87,9 @@ pub fn whole_row(row: &[Poly<Rational>]) -> Vec<Poly<BigInt>> {
 pub struct Place {
     pub unknown: usize,
     pub time: Option<i32>,
-    pub space: i32,
+    pub space: Shifts,
     pub derivative: bool,
-    /// The multiple of the running index.
+    /// The multiple of the running index along the first axis.
     index: i32,
 }
 
@@ -130,9 +130,20 @@ pub struct Reader<'a> {
     pub wave: bool,
     pub unknowns: Vec<String>,
     pub letters: Letters,
+    /// The number of axes, once an unknown has been read.
+    pub dimension: Option<usize>,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    pub fn new(
+        names: BTreeMap<String, Poly<Rational>>,
+        lattice: Option<&'a Lattice>,
+        wave: bool,
+    ) -> Self {
+        let letters = Letters::default();
+        Self { names, lattice, wave, unknowns: Vec::new(), letters, dimension: None }
+    }
+
     fn evaluate(&mut self, tree: &Tree, index: Option<&str>) -> Read<Value> {
         match tree {
             Tree::Number(value) => Ok(number(Poly::number(value.clone()))),
@@ -245,23 +256,31 @@ impl Reader<'_> {
             let halves = item.get("").cloned().unwrap_or_default() * ratio(2, 1);
             time = Some(whole(&halves, 2000)?);
         }
-        let [item] = items.as_slice() else { return refuse("one space index is expected") };
-        let known = |name: &String| name.is_empty() || name == "j" || index == Some(name);
-        let relative = item.get("j").is_some_and(One::is_one) && index != Some("j");
-        ensure(item.keys().all(known) && relative, "a space index is not understood")?;
-        let multiple = index.and_then(|k| item.get(k)).cloned().unwrap_or_default();
-        let space = item.get("").cloned().unwrap_or_default() * ratio(2, 1);
+        let axes: &[&str] = match items.len() {
+            1 => &["j"],
+            2 => &["i", "j"],
+            3 => &["i", "j", "k"],
+            _ => return refuse("one, two or three space indices are expected"),
+        };
+        let same = *self.dimension.get_or_insert(axes.len()) == axes.len();
+        ensure(same, "all unknowns have as many space indices")?;
+        ensure(index.is_none_or(|index| !axes.contains(&index)), "a running index is an axis")?;
+        let mut space = [0; 3];
+        let mut multiple = Rational::zero();
+        for (number, (item, axis)) in items.iter().zip(axes).enumerate() {
+            let running = index.filter(|_| number == 0);
+            let known = |name: &String| name.is_empty() || name == axis || running == Some(name);
+            let relative = item.get(*axis).is_some_and(One::is_one);
+            ensure(item.keys().all(known) && relative, "a space index is not understood")?;
+            multiple += running.and_then(|k| item.get(k)).cloned().unwrap_or_default();
+            let halves = item.get("").cloned().unwrap_or_default() * ratio(2, 1);
+            space[number] = whole(&halves, 2000)?;
+        }
         let unknown = self.unknowns.iter().position(|known| known == name).unwrap_or_else(|| {
             self.unknowns.push(name.into());
             self.unknowns.len() - 1
         });
-        let place = Place {
-            unknown,
-            time,
-            space: whole(&space, 2000)?,
-            derivative: prime,
-            index: whole(&multiple, 1)?,
-        };
+        let place = Place { unknown, time, space, derivative: prime, index: whole(&multiple, 1)? };
         Ok(vec![((Some(place), None), Fraction::one())])
     }
 
@@ -307,10 +326,9 @@ impl Reader<'_> {
                 function.unwrap_or_else(|| vec![(Rational::one(), Rational::zero()); reach]);
             let multiple = place.as_ref().map_or(0, |place| place.index);
             for (step, share) in self.shares(&function, multiple) {
-                let moved = place.clone().map(|place| Place {
-                    space: place.space + 2 * step,
-                    index: 0,
-                    ..place
+                let moved = place.clone().map(|mut place| {
+                    place.space[0] += 2 * step;
+                    Place { index: 0, ..place }
                 });
                 let share = Fraction::whole(share).times(&fraction);
                 add(&mut result, vec![((moved, None), share)]);
