@@ -14,7 +14,7 @@ from certificate_form import check
 BITS = 320  # letters are known to so many binary digits, within a few units
 ONE = 1 << BITS
 
-ROOM = 1 << 20  # powers of E are far below
+ROOM = 1 << 40  # powers of E are far below
 
 
 def packed(shifts):
@@ -406,7 +406,7 @@ class Reader:
             check(set(exponent) <= {""}, "an exponent is no number")
             exponent = whole(exponent.get("", 0), 100)
             base = self.inverse(a) if exponent < 0 else a
-            check(self.size(base) * abs(exponent) < 10**6, "a power is too large")
+            check(max(self.size(base), 10*self.reach(base)) * abs(exponent) < 10**6, "a power is too large")
             power = self.number(number(1))
             for _ in range(abs(exponent)):
                 power = self.product(power, base)
@@ -422,6 +422,12 @@ class Reader:
     def size(value):
         return sum(Fraction(c).numerator.bit_length() + Fraction(c).denominator.bit_length()
                    for pair in value.values() for poly in pair for c in poly.values())
+
+    @staticmethod
+    def reach(value):
+        """The largest power of z, of a shift or of the parameter."""
+        return max((abs(power) for pair in value.values() for poly in pair for z, e, c, _ in poly
+                    for power in (z, *unpacked(e), c)), default=0)
 
     @staticmethod
     def total(more, sign, start):

@@ -14,7 +14,7 @@ mod walk;
 pub(crate) use at_value::decide_on_torus;
 pub(crate) use piece::{Turn, whole_cells};
 pub(crate) use search::{Edge, ExactSpot};
-pub(crate) use walk::{StretchEnd, stable_set_on_torus, stretches_on_torus};
+pub(crate) use walk::{StableStretch, StretchEnd, stable_set_on_torus, stretches_on_torus};
 
 use super::Binding;
 use super::conditions::Requirement;

@@ -2,10 +2,11 @@
 
 use super::super::verify::{CertificateError, ensure};
 use super::super::{Level, Rule, Subject};
+use super::fraction::whole_row;
 use super::matrix::{Whole, determinant};
 use super::parser::value;
 use super::polynomial::{Poly, Shifts};
-use super::reader::{Reader, whole_row};
+use super::reader::Reader;
 use super::{Derived, of_the_parameter, shift_name};
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;

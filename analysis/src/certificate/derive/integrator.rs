@@ -2,10 +2,11 @@
 
 use super::super::IntegratorStatement;
 use super::super::verify::{CertificateError, ensure};
+use super::fraction::{Fraction, cleared};
 use super::matrix::{Matrix, Whole, determinant_up_to_units, without_units};
 use super::parser::value;
 use super::polynomial::{Poly, Power};
-use super::reader::{Fraction, Reader, cleared};
+use super::reader::Reader;
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;
 use std::collections::BTreeMap;

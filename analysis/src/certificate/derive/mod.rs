@@ -2,6 +2,7 @@
 //! nothing else. The certificates are written about these polynomials; where they do not bear out what was found, none can be written.
 
 mod conditions;
+mod fraction;
 mod integrator;
 mod kernel;
 mod letters;

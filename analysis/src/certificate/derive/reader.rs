@@ -1,6 +1,7 @@
 //! Trees evaluated to linear equations on the lattice.
 
 use super::super::verify::{CertificateError, ensure};
+use super::fraction::{Fraction, cleared};
 use super::kernel::{Lattice, Weight};
 use super::letters::{BITS, Letters, in_units, pi, root};
 use super::parser::{Tree, affine, equations, whole};
@@ -12,75 +13,8 @@ use std::collections::BTreeMap;
 
 type Read<T> = Result<T, CertificateError>;
 
-/// A quotient of polynomials.
-#[derive(Debug, Clone)]
-pub struct Fraction {
-    pub over: Poly<Rational>,
-    pub under: Poly<Rational>,
-}
-
 /// An equation: places with polynomials of whole coefficients.
 pub type PlacedRow = Vec<(Place, Poly<BigInt>)>;
-
-impl Fraction {
-    pub fn whole(over: Poly<Rational>) -> Self {
-        Self { over, under: Poly::one() }
-    }
-
-    pub fn one() -> Self {
-        Self::whole(Poly::one())
-    }
-
-    pub fn plus(&self, other: &Self) -> Self {
-        if self.under == other.under {
-            let over = self.over.clone().plus(&other.over);
-            return Self { over, under: self.under.clone() };
-        }
-        Self {
-            over: self.over.times(&other.under).plus(&other.over.times(&self.under)),
-            under: self.under.times(&other.under),
-        }
-    }
-
-    pub fn times(&self, other: &Self) -> Self {
-        Self { over: self.over.times(&other.over), under: self.under.times(&other.under) }
-    }
-}
-
-/// Fractions times their denominators, as polynomials with whole coefficients.
-pub fn cleared(fractions: &[Fraction]) -> Vec<Poly<BigInt>> {
-    let mut denominators: Vec<&Poly<Rational>> = Vec::new();
-    for fraction in fractions {
-        if fraction.under.as_number().is_none() && !denominators.contains(&&fraction.under) {
-            denominators.push(&fraction.under);
-        }
-    }
-    let row: Vec<Poly<Rational>> = fractions
-        .iter()
-        .map(|fraction| {
-            let others = denominators.iter().filter(|other| **other != &fraction.under);
-            let over = others.fold(fraction.over.clone(), |product, other| product.times(other));
-            match fraction.under.as_number() {
-                Some(value) => over.scaled(&value.recip()),
-                None => over,
-            }
-        })
-        .collect();
-    whole_row(&row)
-}
-
-/// Without the denominators of the numbers in it.
-pub fn whole_row(row: &[Poly<Rational>]) -> Vec<Poly<BigInt>> {
-    let values = row.iter().flat_map(|poly| poly.0.values());
-    let common =
-        values.fold(BigInt::one(), |all, value| num_integer::lcm(all, value.denom().clone()));
-    let whole = |value: &Rational| value.numer() * (&common / value.denom());
-    row.iter()
-        .map(|poly| {
-            Poly(poly.0.iter().map(|(power, value)| (power.clone(), whole(value))).collect())
-        })
-        .collect()
-}
 
 /// Where a value of an unknown stands: levels and cells in halves.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -173,7 +107,8 @@ impl<'a> Reader<'a> {
                     base = self.inverse(base)?;
                 }
                 let count = exponent.unsigned_abs();
-                ensure(size(&base) * u64::from(count) < 1_000_000, "a power is too large")?;
+                let most = size(&base).max(10 * reach(&base));
+                ensure(most * u64::from(count) < 1_000_000, "a power is too large")?;
                 (0..count).try_fold(number(Poly::one()), |power, _| product(&power, &base))
             }
             Tree::Infix(sign, left, right) => {
@@ -395,6 +330,14 @@ fn constant(value: &Value) -> Option<Rational> {
 fn size(value: &Value) -> u64 {
     let polys = value.iter().flat_map(|(_, fraction)| [&fraction.over, &fraction.under]);
     polys.flat_map(|poly| poly.0.values()).map(|x| x.numer().bits() + x.denom().bits()).sum()
+}
+
+/// The largest power of `z`, of a shift or of the parameter.
+fn reach(value: &Value) -> u64 {
+    let polys = value.iter().flat_map(|(_, fraction)| [&fraction.over, &fraction.under]);
+    let powers = polys.flat_map(|poly| poly.0.keys());
+    let all = powers.flat_map(|power| [power.z, power.c].into_iter().chain(power.e));
+    all.map(|power| u64::from(power.unsigned_abs())).max().unwrap_or(0)
 }
 
 fn product(left: &Value, right: &Value) -> Read<Value> {

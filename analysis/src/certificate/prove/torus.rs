@@ -10,12 +10,13 @@ use super::ends::{BEYOND, above, zero};
 use super::levels::{PARAMETER, from_laurent, text, to_laurent};
 use super::{CertificationError, MAX_BOXES};
 use crate::exact::laurent::{Exponents, Laurent, Variable};
-use crate::exact::rational::{Rational, integer, square_root_enclosure};
+use crate::exact::rational::{Rational, integer, square_root_enclosure, to_f64};
 use crate::exact::real_roots::power_of_two;
 use crate::exact::tensor::{CubeSign, Cut, Origin, Tensor, cuts_of_cube};
 use crate::stability::{
-    Cell, Condition as Kind, Edge, ExactSpot, ExactValue, Requirement, SearchPlan, StableSet,
-    StretchEnd, TorusDemands, Turn, stretches_on_torus, whole_cells,
+    Cell, Condition as Kind, Edge, ExactSpot, ExactValue, Limit, Requirement, SearchPlan,
+    StableInterval, StableSet, StableStretch, StretchEnd, TorusDemands, Turn, stretches_on_torus,
+    whole_cells,
 };
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
@@ -23,6 +24,9 @@ use num_traits::{Signed, Zero};
 /// Pieces that the interval of `t` of one cube may be cut into, and boxes that one coefficient may take.
 const MAX_PIECES: usize = 200;
 const BOXES_OF_A_PIECE: usize = 4000;
+
+/// Limits found in two ways may differ by the widths of their enclosures.
+const NEAR: f64 = 1e-6;
 
 /// How near a square root is enclosed.
 const ROOT_BITS: u32 = 80;
@@ -47,9 +51,18 @@ pub(super) fn certificates(
     let demands = TorusDemands::new(&requirements, chi.dimension, Some(Variable(PARAMETER)));
     let demands = demands.ok_or(CertificationError::NotWritten("a condition is not real"))?;
     let found = stretches_on_torus(&demands, plan);
-    if !found.decided || found.all.len() != set.intervals.len() {
-        let near = plan.max.to_string();
-        return Err(CertificationError::Undecided(format!("0 … {near}")));
+    let as_found = |(own, known): (&StableStretch, &StableInterval)| {
+        is_near(&own.from.upper, demands.stride, &known.from)
+            && match &own.to {
+                StretchEnd::Edge(edge, _) => is_near(&edge.upper, demands.stride, &known.to),
+                StretchEnd::Range => !known.to.is_unbounded(),
+                StretchEnd::Unbounded => known.to.is_unbounded(),
+            }
+    };
+    let same = found.all.len() == set.intervals.len()
+        && found.all.iter().zip(&set.intervals).all(as_found);
+    if !found.decided || !same {
+        return Err(CertificationError::NotWritten("the checker's conditions do not bear it out"));
     }
     let prover = Prover { base, conditions: &conditions, demands: &demands, max: &plan.max };
     let mut all = Vec::new();
@@ -63,6 +76,12 @@ pub(super) fn certificates(
         all.extend(prover.interval(&stretch.from, &stretch.to)?);
     }
     Ok(all)
+}
+
+/// Whether a limit is the value of the parameter that belongs to a `t`.
+fn is_near(t: &Rational, stride: usize, limit: &Limit) -> bool {
+    let value = to_f64(t).powf(1.0 / stride as f64);
+    limit.lower() * (1.0 - NEAR) <= value && value <= limit.upper() * (1.0 + NEAR)
 }
 
 /// A condition as `|Q|²` times its margin.

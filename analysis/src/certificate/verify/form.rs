@@ -53,13 +53,14 @@ pub(super) fn check(certificate: &Certificate) -> Result<(), CertificateError> {
 
 fn check_torus(proof: &TorusProof) -> Result<(), CertificateError> {
     let short = |text: &String, most: usize| text.chars().count() <= most;
+    let small = |k: &[i32]| k.len() <= 3 && k.iter().all(|k| k.unsigned_abs() as usize <= MOST);
     ensure(proof.inequalities.len() <= 2 * MOST, "a list is too long")?;
     for stated in &proof.inequalities {
         ensure(
             stated.level <= MOST
                 && short(&stated.square, LONGEST)
                 && stated.margin.len() <= LONGEST
-                && stated.margin.iter().all(|term| term.power <= MOST && term.k.len() <= 3)
+                && stated.margin.iter().all(|term| term.power <= MOST && small(&term.k))
                 && stated.cells.len() <= 64,
             "a count is out of range",
         )?;
