@@ -7,6 +7,7 @@ mod sign;
 
 pub(crate) use chart::{Origin, vanishing_axes};
 pub use sign::{CubeSign, sign_on_cube};
+pub(crate) use sign::{Cut, cuts_of_cube};
 
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;

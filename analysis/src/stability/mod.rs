@@ -44,4 +44,7 @@ pub(crate) use stable_set::{
     search_within,
 };
 pub use torus::TorusDemands;
+pub(crate) use torus::{
+    Cell, Edge, ExactSpot, StableStretch, StretchEnd, Turn, stretches_on_torus, whole_cells,
+};
 pub use wave::Wave;

@@ -77,11 +77,12 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
         .map(|(phases, size)| refined(&sampled, phases, size))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     // Growth that floating point does not see is looked for about the witness, in as many digits as it takes.
-    let seen = best.as_ref().is_some_and(|(excess, _)| *excess > SEEN);
     let precisely = |phases: &[f64]| {
         let found = precise.largest(&place(&precise, phases));
         found.map_or(f64::INFINITY, logarithmic)
     };
+    // Where two multipliers meet roundings are as large as their root.
+    let seen = best.as_ref().is_some_and(|(_, phases)| precisely(phases) > SEEN);
     let best = match from_witness {
         Some((phases, size)) if !seen => Some(refined(&precisely, phases, size)),
         _ => best,

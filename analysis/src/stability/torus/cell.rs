@@ -14,11 +14,11 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub(crate) struct Cell {
     /// What the axes of the piece are, from which it was blown up.
-    pub(super) turns: Arc<[Turn]>,
+    pub(crate) turns: Arc<[Turn]>,
     /// Where the cube lies in the piece.
-    pub(super) origin: Rc<Origin>,
+    pub(crate) origin: Rc<Origin>,
     /// `P(x_1, …, x_d, t)`, the parameter last.
-    pub(super) polynomial: Tensor,
+    pub(crate) polynomial: Tensor,
 }
 
 /// Where a wave stands for a long one, the direction is seen from this near.

@@ -36,15 +36,25 @@ pub(crate) fn cells(
     if polynomial.is_zero() {
         return Some(Vec::new());
     }
-    let lowest = parameter.and_then(|p| polynomial.range(p)).map_or(0, |(low, _)| low);
     let mut cells = Vec::new();
-    for turns in pieces(polynomial, dimension) {
-        let tensor = on_piece(polynomial, &turns, parameter, lowest, stride);
-        let whole =
-            Cell { turns: turns.into(), origin: Rc::new(Origin::Whole), polynomial: tensor };
+    for whole in whole_cells(polynomial, dimension, parameter, stride) {
         resolve(whole, &mut cells);
     }
     Some(cells)
+}
+
+/// A real function on whole pieces that cover all waves up to its symmetries.
+pub(crate) fn whole_cells(
+    polynomial: &Laurent,
+    dimension: usize,
+    parameter: Option<Variable>,
+    stride: usize,
+) -> impl Iterator<Item = Cell> {
+    let lowest = parameter.and_then(|p| polynomial.range(p)).map_or(0, |(low, _)| low);
+    pieces(polynomial, dimension).into_iter().map(move |turns| {
+        let tensor = on_piece(polynomial, &turns, parameter, lowest, stride);
+        Cell { turns: turns.into(), origin: Rc::new(Origin::Whole), polynomial: tensor }
+    })
 }
 
 /// Powers of the parameter as they occur: the least, and 2 where all others are even steps above it.

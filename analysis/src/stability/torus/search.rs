@@ -29,18 +29,18 @@ const WAVE_BITS: u32 = 60;
 
 /// A wave as an exact point of a cell.
 #[derive(Debug, Clone)]
-pub(super) struct ExactSpot {
-    pub(super) inequality: usize,
-    pub(super) cell: usize,
-    pub(super) point: Vec<Rational>,
+pub(crate) struct ExactSpot {
+    pub(crate) inequality: usize,
+    pub(crate) cell: usize,
+    pub(crate) point: Vec<Rational>,
 }
 
 /// Where instability begins or ends: nothing is claimed strictly between the two values of `t`.
 #[derive(Debug, Clone)]
-pub(super) struct Edge {
-    pub(super) lower: Rational,
-    pub(super) upper: Rational,
-    pub(super) spot: Option<ExactSpot>,
+pub(crate) struct Edge {
+    pub(crate) lower: Rational,
+    pub(crate) upper: Rational,
+    pub(crate) spot: Option<ExactSpot>,
 }
 
 /// What stands against the stability of a stretch.

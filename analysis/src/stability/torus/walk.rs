@@ -31,17 +31,46 @@ const SAME: f64 = 1e-8;
 
 /// Where all conditions hold, by the values of a parameter `C` with `t = C^stride`.
 pub(crate) fn stable_set_on_torus(demands: &TorusDemands, plan: &SearchPlan) -> StableSet {
-    let TorusDemands { inequalities, stride } = demands;
-    let stride = *stride;
-    let end = plan.max.pow(stride as i32);
-    let search = Search::new(inequalities, end, plan.bits, plan.budget);
-    Walk { search, stride, plan }.run()
+    Walk::new(demands, plan).run()
+}
+
+/// The stable stretches of `t` with the waves at their ends, as far as everything is decided; and a wave that is unstable at once.
+pub(crate) struct Stretches {
+    pub(crate) all: Vec<StableStretch>,
+    pub(crate) unstable_at_once: Option<ExactSpot>,
+    pub(crate) decided: bool,
+}
+
+/// A stable stretch of `t`.
+pub(crate) struct StableStretch {
+    pub(crate) from: Edge,
+    pub(crate) to: StretchEnd,
+}
+
+/// Where a stable stretch ends.
+pub(crate) enum StretchEnd {
+    /// Lost here, and a wave that is unstable just above.
+    Edge(Edge, Option<ExactSpot>),
+    /// At the end of the range.
+    Range,
+    /// Nowhere.
+    Unbounded,
+}
+
+/// What [`stable_set_on_torus`] finds, exactly.
+pub(crate) fn stretches_on_torus(demands: &TorusDemands, plan: &SearchPlan) -> Stretches {
+    let mut walk = Walk::new(demands, plan);
+    let decided = walk.run().undecided.is_empty();
+    let Walk { stretches: all, unstable_at_once, .. } = walk;
+    Stretches { all, unstable_at_once, decided }
 }
 
 struct Walk<'a> {
     search: Search<'a>,
     stride: usize,
     plan: &'a SearchPlan,
+    stretches: Vec<StableStretch>,
+    unstable_at_once: Option<ExactSpot>,
 }
 
 enum Stretch {
@@ -55,8 +84,16 @@ enum Stretch {
     Undecided(Rational, Rational),
 }
 
-impl Walk<'_> {
-    fn run(mut self) -> StableSet {
+impl<'a> Walk<'a> {
+    fn new(demands: &'a TorusDemands, plan: &'a SearchPlan) -> Self {
+        let TorusDemands { inequalities, stride } = demands;
+        let end = plan.max.pow(*stride as i32);
+        let search = Search::new(inequalities, end, plan.bits, plan.budget);
+        let (stretches, unstable_at_once) = (Vec::new(), None);
+        Self { search, stride: *stride, plan, stretches, unstable_at_once }
+    }
+
+    fn run(&mut self) -> StableSet {
         let mut set = StableSet {
             intervals: Vec::new(),
             undecided: Vec::new(),
@@ -74,12 +111,13 @@ impl Walk<'_> {
         for _ in 0..MOST_STRETCHES {
             let spot = match self.stable_stretch(&reached) {
                 Stretch::Continues => {
-                    let to = if self.search.is_stable_beyond() {
-                        Limit::unbounded(&self.plan.max, Evidence::Proved)
+                    let (to, end) = if self.search.is_stable_beyond() {
+                        (Limit::unbounded(&self.plan.max, Evidence::Proved), StretchEnd::Unbounded)
                     } else {
-                        Limit::beyond(&self.plan.max, Evidence::Proved)
+                        (Limit::beyond(&self.plan.max, Evidence::Proved), StretchEnd::Range)
                     };
                     set.intervals.push(StableInterval { from: self.limit(&from), to });
+                    self.stretches.push(StableStretch { from, to: end });
                     break;
                 }
                 Stretch::Undecided(lower, upper) => {
@@ -98,20 +136,18 @@ impl Walk<'_> {
                             upper: reached.clone(),
                             spot: Some(spot.clone()),
                         };
-                        let (start, to) = (self.limit(&from), self.limit(&edge));
-                        set.intervals.push(StableInterval { from: start, to });
+                        set.intervals.push(self.ended(from, &edge));
                         from = edge;
                     } else if reached.is_zero() {
                         set.immediately_unstable = Some(self.wave(&spot));
                         let binding = self.search.inequalities[spot.inequality].binding;
                         set.immediate_binding = Some(binding);
+                        self.unstable_at_once = Some(spot.clone());
                     }
                     spot
                 }
                 Stretch::Ends(edge) => {
-                    let interval =
-                        StableInterval { from: self.limit(&from), to: self.limit(&edge) };
-                    set.intervals.push(interval);
+                    set.intervals.push(self.ended(from, &edge));
                     from = edge.clone();
                     edge.spot.expect("stability ends by a wave")
                 }
@@ -131,6 +167,13 @@ impl Walk<'_> {
         }
         set.work = self.search.work;
         set
+    }
+
+    /// A stable stretch up to an edge.
+    fn ended(&mut self, from: Edge, edge: &Edge) -> StableInterval {
+        let interval = StableInterval { from: self.limit(&from), to: self.limit(edge) };
+        self.stretches.push(StableStretch { from, to: StretchEnd::Edge(edge.clone(), None) });
+        interval
     }
 
     /// From a value on that is stable, or the start.
@@ -234,6 +277,11 @@ impl Walk<'_> {
             let spot = first.take().or_else(|| self.unstable_at_once(from));
             let spot = spot.ok_or_else(|| from.clone())?;
             if let Some(until) = self.search.unstable_until(from, &spot) {
+                if let Some(StretchEnd::Edge(_, wave)) =
+                    self.stretches.last_mut().map(|s| &mut s.to)
+                {
+                    *wave = Some(spot);
+                }
                 break until;
             }
         };
@@ -277,6 +325,10 @@ impl Walk<'_> {
         for (upper, width) in exact.map(|upper| (upper, bits - 12)).into_iter().chain(wider) {
             let beyond = &upper * (integer(1) + power_of_two(6 - width));
             if self.search.is_stable(&upper, &beyond).is_ok() {
+                // The wave of an exact edge is unstable right up to it.
+                let reaches = &lower * (integer(1) + power_of_two(-40)) >= edge.lower;
+                let exact = edge.lower == edge.upper && upper == edge.upper && reaches;
+                let lower = if exact { upper.clone() } else { lower };
                 return Ok(Edge { lower, upper, spot: Some(spot) });
             }
         }
