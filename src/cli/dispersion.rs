@@ -2,7 +2,7 @@
 
 use super::columns::{self, number};
 use super::numbers::{self, Names, Numbers};
-use super::output::{Format, print, print_json, table_text};
+use super::output::{Format, WIDTH, print, print_json, table_text};
 use super::subject::density_name;
 use super::waves::{self, Form, MethodName, Relation};
 use super::{Failure, Outcome, names};
@@ -142,7 +142,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             print_json("dispersion", &Rows { units, density, rows })
         }
         Format::Csv => print(&csv_table(&rows).to_csv()),
-        format => print(&table_text(&table(&cases, &rows), format).unwrap_or_default()),
+        format => print(&tables(arguments, &cases, &rows, format)),
     }
 }
 
@@ -161,9 +161,9 @@ fn cases(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
     let mut cases = Vec::new();
     for relation in &relations {
         for &kernel in &arguments.kernel.0 {
-            for ratio in &arguments.ratio.0 {
-                for &density in &arguments.density.0 {
-                    cases.extend(steps.iter().map(|stepped| Case {
+            for &density in &arguments.density.0 {
+                for stepped in &steps {
+                    cases.extend(arguments.ratio.0.iter().map(|ratio| Case {
                         relation: relation.clone(),
                         kernel,
                         ratio: ratio.clone(),
@@ -329,6 +329,18 @@ fn csv_table(rows: &[Row]) -> Table {
     table
 }
 
+/// One table, or where it does not fit one for every list but that of the ratios.
+fn tables(arguments: &Arguments, cases: &[Case], rows: &[Row], format: Format) -> String {
+    let shown = |table: &Table| table_text(table, format).unwrap_or_default();
+    let whole = table(cases, rows);
+    if format != Format::Table || whole.width() <= WIDTH {
+        return shown(&whole);
+    }
+    let ratios = arguments.ratio.0.len();
+    let groups = cases.chunks(ratios).zip(rows.chunks(rows.len() / cases.len() * ratios));
+    groups.map(|(cases, rows)| shown(&table(cases, rows))).collect::<Vec<_>>().join("\n")
+}
+
 /// A row a wave for people: what all waves share is in the caption.
 fn table(cases: &[Case], rows: &[Row]) -> Table {
     let titles = distinct(cases.iter().map(|case| match case.relation.method {
@@ -343,16 +355,22 @@ fn table(cases: &[Case], rows: &[Row]) -> Table {
         None => "exact in time".into(),
     }));
     let densities = formulas(cases);
-    let one = |all: &[String]| match all {
-        [one] => Some(one.clone()),
-        _ => None,
+    let one = |all: &[String], otherwise: &str| match all {
+        [one] => one.clone(),
+        _ => otherwise.into(),
     };
     let texts = |all: &[&str]| all.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let shared =
-        [one(&titles), one(&texts(&kernels)), one(&texts(&densities)), one(&steps)].into_iter();
+    let shared = [
+        one(&titles, "particle methods"),
+        one(&texts(&kernels), ""),
+        one(&texts(&densities), ""),
+        one(&steps, ""),
+    ]
+    .into_iter()
+    .filter(|text| !text.is_empty());
     let caption = format!(
         "Waves of {}; κ in radians per spacing, ω in c/Δ, amplitude at t = Δ/c",
-        shared.flatten().collect::<Vec<_>>().join(", ")
+        shared.collect::<Vec<_>>().join(", ")
     );
     let dash = |text: Option<&str>| text.unwrap_or("–").to_string();
     let digits =
@@ -360,8 +378,13 @@ fn table(cases: &[Case], rows: &[Row]) -> Table {
     type Cell<'a> = &'a dyn Fn(&Row) -> String;
     let columns: [(&str, Align, bool, Cell<'_>); 14] = [
         ("method", Align::Left, titles.len() > 1, &|row| row.method.into()),
-        ("form", Align::Left, true, &|row| dash(row.form)),
-        ("α", Align::Right, titles.len() > 1, &|row| digits(row.alpha)),
+        ("form", Align::Left, rows.iter().any(|row| row.form.is_some()), &|row| dash(row.form)),
+        (
+            "α",
+            Align::Right,
+            titles.len() > 1 && rows.iter().any(|row| row.alpha.is_some()),
+            &|row| digits(row.alpha),
+        ),
         ("kernel", Align::Left, kernels.len() > 1, &|row| row.kernel.into()),
         ("density", Align::Left, densities.len() > 1, &|row| row.density.into()),
         ("integrator", Align::Left, steps.len() > 1, &|row| dash(row.integrator)),

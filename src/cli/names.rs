@@ -167,7 +167,7 @@ mod tests {
 
     #[test]
     fn misspelt_names_get_a_suggestion() {
-        assert!(kernel("cubicspline").unwrap_err().contains("`cubic-spline`"));
+        assert!(kernel("cubicsplin").unwrap_err().contains("`cubic-spline`"));
         let key = misspelt_key("unknown field `equation`, expected one of `name`, `equations`");
         assert!(key.ends_with("did you mean `equations`?"), "{key}");
         assert!(!kernel("zzz").unwrap_err().contains("did you mean"));
