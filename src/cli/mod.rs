@@ -26,6 +26,7 @@ mod waves;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use error::Failure;
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Von Neumann stability of numerical schemes: amplification factors, proved time-step limits, maps.
@@ -105,6 +106,11 @@ enum Outcome {
     No,
 }
 
+/// Writes to standard error, where somebody may have stopped reading.
+fn complain(text: &str) {
+    let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
 /// Parses the arguments, runs the command and turns the outcome into an exit code: 0 done or yes, 1 no,
 /// 2 bad input.
 pub fn main() -> ExitCode {
@@ -113,11 +119,11 @@ pub fn main() -> ExitCode {
     let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            eprint!("{error}");
+            complain(&error.to_string());
             return ExitCode::from(2);
         }
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", error::one_line(&error, addressed()));
+            complain(&format!("{}\n", error::plain(&error::one_line(&error, addressed()))));
             return ExitCode::from(2);
         }
         Err(help) => {
@@ -129,15 +135,14 @@ pub fn main() -> ExitCode {
     if let Some(threads) = arguments.threads
         && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()
     {
-        eprintln!("error: --threads {threads}: {error}");
+        complain(&format!("error: --threads {threads}: {error}\n"));
         return ExitCode::from(2);
     }
     match dispatch(arguments.command) {
         Ok(Outcome::Yes) => ExitCode::SUCCESS,
         Ok(Outcome::No) => ExitCode::from(1),
-        Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            complain(&format!("{}\n", error::plain(&format!("error: {failure}"))));
             ExitCode::from(2)
         }
     }

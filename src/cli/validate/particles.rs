@@ -1,6 +1,6 @@
 //! The particle methods: dispersion relation against the running step.
 
-use super::Arguments;
+use super::{Arguments, Measured, csv_table};
 use crate::cli::names;
 use crate::cli::output::{Format, print, print_json, table_text};
 use crate::cli::subject::Subject;
@@ -14,7 +14,9 @@ use courant::reports::particle_validation::{
     FollowedWave, ParticleCase, ParticleModeRow, ParticleValidationError, TOLERANCE, codes,
     follow_wave, gain, tolerance, validate_particles,
 };
+use courant::reports::record::SubjectRecord;
 use courant::reports::table::{Align, Table};
+use num_complex::Complex64;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -49,8 +51,12 @@ fn case(
     Ok((relation, ParticleCase { method, integrator, courant, particles }))
 }
 
+/// The waves of a mode.
+const BRANCHES: [&str; 2] = ["forward", "backward"];
+
 /// A case and what came of it.
 struct Compared {
+    subject: SubjectRecord,
     relation: Relation,
     case: ParticleCase,
     rows: Vec<ParticleModeRow>,
@@ -59,6 +65,7 @@ struct Compared {
 
 impl Compared {
     fn new(
+        subject: SubjectRecord,
         relation: Relation,
         case: ParticleCase,
         steps: usize,
@@ -81,7 +88,28 @@ impl Compared {
                 }
             }
         }
-        Ok(Self { relation, case, rows, waves })
+        Ok(Self { subject, relation, case, rows, waves })
+    }
+
+    /// The rows for machines.
+    fn measured(&self) -> impl Iterator<Item = Measured<'_>> {
+        self.rows.iter().flat_map(|row| {
+            BRANCHES.into_iter().enumerate().map(|(index, branch)| {
+                let pair = |z: [Complex64; 2]| [z[index].norm(), z[index].arg()];
+                Measured {
+                    subject: &self.subject,
+                    cfl: self.case.courant,
+                    mode: row.mode.to_string(),
+                    phase: row.phase.to_string(),
+                    branch: branch.into(),
+                    code: row.code.name(),
+                    predicted: pair(row.predicted),
+                    measured: pair(row.measured),
+                    error: row.error,
+                    tolerance: tolerance(gain(row.predicted)),
+                }
+            })
+        })
     }
 
     fn max_error(&self) -> f64 {
@@ -123,12 +151,14 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
             values.push(0.25);
         }
         for courant in values {
-            cases.push(case(subject, arguments.subject.form(), courant, particles)?);
+            let (relation, case) = case(subject, arguments.subject.form(), courant, particles)?;
+            let record = subject.record(&sought.step, Some(&sought.parameter));
+            cases.push((record, relation, case));
         }
     }
     let compared: Vec<Compared> = cases
         .into_par_iter()
-        .map(|(relation, case)| Compared::new(relation, case, steps))
+        .map(|(subject, relation, case)| Compared::new(subject, relation, case, steps))
         .collect::<Result<_, _>>()
         .map_err(|error| {
             let option = match error {
@@ -142,9 +172,10 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
             Failure::Message(format!("{option}: {error}"))
         })?;
     let passed = compared.iter().all(Compared::passed);
-    let table = match compared.as_slice() {
-        [one] => mode_table(one),
-        many => case_table(many),
+    let table = match (compared.as_slice(), arguments.format) {
+        (all, Format::Csv) => csv_table(all.iter().flat_map(Compared::measured)),
+        ([one], _) => mode_table(one),
+        (many, _) => case_table(many),
     };
     match table_text(&table, arguments.format) {
         Some(mut text) => {
@@ -213,7 +244,7 @@ fn mode_table(one: &Compared) -> Table {
         ],
     );
     for row in &one.rows {
-        for (index, branch) in ["forward", "backward"].into_iter().enumerate() {
+        for (index, branch) in BRANCHES.into_iter().enumerate() {
             table.push([
                 row.code.name().to_string(),
                 row.mode.to_string(),
@@ -302,9 +333,9 @@ impl Record {
             steps,
             passed: compared.iter().all(Compared::passed),
         };
-        for Compared { relation, case, rows, waves } in compared {
+        for Compared { relation, case, rows, waves, .. } in compared {
             for row in rows {
-                for (index, branch) in ["forward", "backward"].into_iter().enumerate() {
+                for (index, branch) in BRANCHES.into_iter().enumerate() {
                     record.rows.push(Row {
                         method: relation.method.name(),
                         form: relation.form.map(Form::name),
