@@ -21,6 +21,9 @@ const CANDIDATES: usize = 6;
 /// Steps of the refinement end at this share of the first one: the value is then wrong by the square of it.
 const FINE: f64 = 1e-7;
 
+/// Phases below this share of the spacing of samples are those of a long wave.
+const LONG: f64 = 0.01;
+
 /// Lengths of long waves that are looked at in the direction of one that was proved to grow, each 0.7 of the phase of the last.
 const LONG_WAVES: usize = 80;
 
@@ -66,7 +69,7 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
     }
     let from_samples = apart.into_iter().map(|phases| (phases, spacing));
     let from_witness =
-        witness.map(|wave: &Wave| match wave.phases().iter().all(|phase| *phase == 0.0) {
+        witness.map(|wave: &Wave| match wave.phases().iter().all(|p| p.abs() < LONG * spacing) {
             true => fastest_long_wave(&precise, wave.direction(), spacing),
             false => {
                 let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
