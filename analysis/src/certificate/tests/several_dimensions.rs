@@ -38,10 +38,12 @@ fn an_interval_in_two_dimensions_may_begin_above_0() {
     // Implicit and downwind along the first axis, nothing along the second one.
     let found = of_text("u[n+1,i,j] + C*(u[n+1,i+1,j] - u[n+1,i,j]) = u[n,i,j]", "C");
     assert!(torus(&found[1]).below.is_some());
-    let all = "|z| <= 1 + 0 for all waves";
-    let expected =
-        [format!("{all} up to C = 0 and not just above"), format!("{all} from C = 1 without end")];
-    assert_eq!(statements(&found), expected);
+    let statements = statements(&found);
+    assert_eq!(statements[0], "|z| <= 1 + 0 for all waves up to C = 0 and not just above");
+    assert!(statements[1].ends_with(" without end"), "{statements:?}");
+    // Stable from C = 1 on; the search encloses where stability returns.
+    let begin = found[1].interval.begin.square().unwrap();
+    assert!(integer(1) <= begin && begin < ratio(1_000_001, 1_000_000), "{begin}");
 }
 
 #[test]
