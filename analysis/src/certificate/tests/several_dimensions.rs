@@ -91,3 +91,19 @@ fn a_wrong_proof_on_the_torus_is_refused() {
     let stable = refused(&|_, proof| proof.above.as_mut().unwrap().wave.way = "{xy}x".into());
     assert_eq!(stable, "the wave does not grow throughout");
 }
+
+#[test]
+fn a_limit_without_a_closed_form_is_enclosed() {
+    // Long waves of a direction that is no fraction bind: C = (1 + a^{2/3})^{−3/2}.
+    let file = catalogue::scheme("lax-wendroff-2d").unwrap();
+    let step = file.step(None, None, &[("a".into(), ratio(2, 3))], Some("C")).unwrap();
+    let subject = Subject::new(&file.equations.text, None, None, &step, "C").unwrap();
+    let all = certify(&subject, &step, &SearchPlan::default()).unwrap();
+    verify(&all[0]).unwrap();
+    let limit = (1.0 + (2.0f64 / 3.0).powf(2.0 / 3.0)).powf(-1.5);
+    let Interval { lower, upper, .. } = &all[0].interval;
+    for end in [lower, upper.as_ref().unwrap()] {
+        let found = crate::exact::rational::to_f64(&end.square().unwrap()).sqrt();
+        assert!((found / limit - 1.0).abs() < 1e-6, "{found} for {limit}");
+    }
+}
