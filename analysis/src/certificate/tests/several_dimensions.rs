@@ -38,10 +38,12 @@ fn an_interval_in_two_dimensions_may_begin_above_0() {
     // Implicit and downwind along the first axis, nothing along the second one.
     let found = of_text("u[n+1,i,j] + C*(u[n+1,i+1,j] - u[n+1,i,j]) = u[n,i,j]", "C");
     assert!(torus(&found[1]).below.is_some());
-    let all = "|z| <= 1 + 0 for all waves";
-    let expected =
-        [format!("{all} up to C = 0 and not just above"), format!("{all} from C = 1 without end")];
-    assert_eq!(statements(&found), expected);
+    let statements = statements(&found);
+    assert_eq!(statements[0], "|z| <= 1 + 0 for all waves up to C = 0 and not just above");
+    assert!(statements[1].ends_with(" without end"), "{statements:?}");
+    // Stable from C = 1 on; the search encloses where stability returns.
+    let begin = found[1].interval.begin.square().unwrap();
+    assert!(integer(1) <= begin && begin < ratio(1_000_001, 1_000_000), "{begin}");
 }
 
 #[test]
@@ -88,4 +90,20 @@ fn a_wrong_proof_on_the_torus_is_refused() {
     assert_eq!(folded, "not all waves are covered");
     let stable = refused(&|_, proof| proof.above.as_mut().unwrap().wave.way = "{xy}x".into());
     assert_eq!(stable, "the wave does not grow throughout");
+}
+
+#[test]
+fn a_limit_without_a_closed_form_is_enclosed() {
+    // Long waves of a direction that is no fraction bind: C = (1 + a^{2/3})^{−3/2}.
+    let file = catalogue::scheme("lax-wendroff-2d").unwrap();
+    let step = file.step(None, None, &[("a".into(), ratio(2, 3))], Some("C")).unwrap();
+    let subject = Subject::new(&file.equations.text, None, None, &step, "C").unwrap();
+    let all = certify(&subject, &step, &SearchPlan::default()).unwrap();
+    verify(&all[0]).unwrap();
+    let limit = (1.0 + (2.0f64 / 3.0).powf(2.0 / 3.0)).powf(-1.5);
+    let Interval { lower, upper, .. } = &all[0].interval;
+    for end in [lower, upper.as_ref().unwrap()] {
+        let found = crate::exact::rational::to_f64(&end.square().unwrap()).sqrt();
+        assert!((found / limit - 1.0).abs() < 1e-6, "{found} for {limit}");
+    }
 }

@@ -50,7 +50,7 @@ pub(crate) struct StableStretch {
 /// Where a stable stretch ends.
 pub(crate) enum StretchEnd {
     /// Lost here, and a wave that is unstable just above.
-    Edge(Edge, Option<ExactSpot>),
+    Edge(Box<Edge>, Option<ExactSpot>),
     /// At the end of the range.
     Range,
     /// Nowhere.
@@ -172,7 +172,8 @@ impl<'a> Walk<'a> {
     /// A stable stretch up to an edge.
     fn ended(&mut self, from: Edge, edge: &Edge) -> StableInterval {
         let interval = StableInterval { from: self.limit(&from), to: self.limit(edge) };
-        self.stretches.push(StableStretch { from, to: StretchEnd::Edge(edge.clone(), None) });
+        self.stretches
+            .push(StableStretch { from, to: StretchEnd::Edge(Box::new(edge.clone()), None) });
         interval
     }
 
