@@ -200,7 +200,6 @@ fn case_table(compared: &[Compared]) -> Table {
             ("codes", Align::Left),
             ("largest |z|", Align::Right),
             ("max error", Align::Right),
-            ("waves followed", Align::Right),
             ("max error of ω", Align::Right),
             ("agrees", Align::Left),
         ],
@@ -218,7 +217,6 @@ fn case_table(compared: &[Compared]) -> Table {
             names.join(", "),
             significant(largest_factor, 7),
             significant(one.max_error(), 2),
-            one.waves.len().to_string(),
             significant(one.max_wave_error(), 2),
             if one.passed() { "yes" } else { "NO" }.into(),
         ]);
