@@ -696,8 +696,8 @@ fn tables_fit_a_terminal() {
     for command in [
         "list".into(),
         format!("dispersion --method sph,sph-av,gph {lists} --integrator kdk,rk4 --kappa 1"),
-        format!("validate --method sph,sph-av {lists} --integrator kdk --particles 8 --steps 4"),
-        "validate --method sph-av --kernel cubic --cfl 0.1 --particles 8 --steps 4".into(),
+        format!("validate --method sph,sph-av {lists} --integrator kdk --particles 12 --steps 4"),
+        "validate --method sph-av --kernel cubic --cfl 0.1 --particles 12 --steps 4".into(),
         format!("check --method sph,gph {lists} --integrator kdk --eos isothermal,ideal:7/5"),
         "validate --scheme godunov-sph --ratio 2 --kernel cubic --cfl 1 --particles 8".into(),
     ] {

@@ -1,7 +1,7 @@
 //! The advection schemes: symbol against stepping.
 
 use super::{Arguments, Measured, csv_table};
-use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::output::{Format, paragraphs, print, print_json, table_text};
 use crate::cli::progress::Bar;
 use crate::cli::subject::Subject;
 use crate::cli::{Failure, Outcome};
@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     match table_text(&table, arguments.format) {
         Some(mut text) => {
             if arguments.format == Format::Table {
-                text.push_str(&conclusion(&record));
+                text.push_str(&paragraphs(&[conclusion(&record)]));
             }
             print(&text)?
         }
@@ -182,7 +182,7 @@ fn conclusion(record: &ValidationRecord) -> String {
         }
     };
     format!(
-        "\n{verdict}; max error {error}, allowed {}; {} particles, {} steps\n",
+        "{verdict}; max error {error}, allowed {}; {} particles, {} steps",
         significant(record.tolerance, 3),
         record.particles,
         record.steps

@@ -2,7 +2,7 @@
 
 use super::{Arguments, Measured, csv_table};
 use crate::cli::names;
-use crate::cli::output::{Format, print, print_json, table_text};
+use crate::cli::output::{Format, paragraphs, print, print_json, table_text};
 use crate::cli::subject::Subject;
 use crate::cli::waves::{self, Form, MethodName, Relation};
 use crate::cli::{Failure, Outcome};
@@ -180,7 +180,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     match table_text(&table, arguments.format) {
         Some(mut text) => {
             if arguments.format == Format::Table {
-                text.push_str(&conclusion(&compared, steps));
+                text.push_str(&paragraphs(&[conclusion(&compared, steps)]));
             }
             print(&text)?
         }
@@ -200,8 +200,6 @@ fn case_table(compared: &[Compared]) -> Table {
             ("codes", Align::Left),
             ("largest |z|", Align::Right),
             ("max error", Align::Right),
-            ("allowed", Align::Right),
-            ("waves followed", Align::Right),
             ("max error of ω", Align::Right),
             ("agrees", Align::Left),
         ],
@@ -219,8 +217,6 @@ fn case_table(compared: &[Compared]) -> Table {
             names.join(", "),
             significant(largest_factor, 7),
             significant(one.max_error(), 2),
-            significant(one.tolerance(), 2),
-            one.waves.len().to_string(),
             significant(one.max_wave_error(), 2),
             if one.passed() { "yes" } else { "NO" }.into(),
         ]);
@@ -272,7 +268,7 @@ fn conclusion(compared: &[Compared], steps: usize) -> String {
         }
     };
     format!(
-        "\n{verdict}; max error {}, allowed {}; {waves} waves followed for up to {steps} steps, max error of ω {}\n",
+        "{verdict}; max error {}, allowed {}; {waves} waves followed for up to {steps} steps, max error of ω {}",
         significant(largest(compared.iter().map(Compared::max_error)), 3),
         significant(largest(compared.iter().map(Compared::tolerance)), 3),
         significant(largest(compared.iter().map(Compared::max_wave_error)), 3),
