@@ -274,6 +274,7 @@ fn machine_name(heading: &str) -> String {
         ("α", "alpha"),
         ("β", "beta"),
         ("γ", "gamma"),
+        ("κΔ", "kappa"),
         ("Δ", "delta_"),
         ("η", "eta"),
         ("κ", "kappa"),
@@ -358,10 +359,10 @@ mod tests {
         assert_eq!(
             lines,
             [
-                "words          a",
-                "          number",
-                "────────  ──────",
-                "one two     1.25",
+                "words         a",
+                "         number",
+                "───────  ──────",
+                "one two    1.25",
                 "three"
             ]
         );
@@ -376,7 +377,7 @@ mod tests {
         table.push(["3/2", "−1.50e-4", "∞", "–", "-0", "a – b", "1.250"]);
         assert_eq!(
             table.to_csv(),
-            "ratio,gain_minus_1,cfl,max_error_of_omega,kappa_delta,growth_1e_3,gain_minus_1_6\n\
+            "ratio,gain_minus_1,cfl,max_error_of_omega,kappa,growth_1e_3,gain_minus_1_6\n\
              3/2,-0.000150,inf,,-0,a – b,1.250\n"
         );
         for (number, plain) in [
