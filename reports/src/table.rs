@@ -358,13 +358,7 @@ mod tests {
         let lines: Vec<&str> = text.lines().skip(2).collect();
         assert_eq!(
             lines,
-            [
-                "words         a",
-                "         number",
-                "───────  ──────",
-                "one two    1.25",
-                "three"
-            ]
+            ["words         a", "         number", "───────  ──────", "one two    1.25", "three"]
         );
         assert!(table.to_text_within(3).lines().all(|line| width(line) <= 13));
         assert_eq!(table.to_text_within(30), table.to_text());
