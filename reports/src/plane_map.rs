@@ -142,7 +142,14 @@ impl PlaneMap {
                 format!("{},{},{from},{to},{evidence}\n", to_f64(value), to_text(value))
             };
             if set.intervals.is_empty() {
-                limits.push_str(&row(0.0, 0.0));
+                // Nothing but 0 itself, or nothing at all.
+                limits.push_str(&match set.at_zero {
+                    true => row(0.0, 0.0),
+                    false => {
+                        let evidence = set.limit().evidence().name();
+                        format!("{},{},,,{evidence}\n", to_f64(value), to_text(value))
+                    }
+                });
             }
             for interval in &set.intervals {
                 limits.push_str(&row(interval.from.upper(), interval.to.value()));

@@ -79,12 +79,14 @@ impl TorusInequality {
             if let Some(common) = common.filter(|p| p.as_constant().is_none())
                 && let Some(rest) = polynomial.divide_exactly(&common)
             {
-                match (is_nowhere_negative(&common, dimension)?, ()) {
-                    (Some(true), ()) => polynomial = rest,
-                    (found, ()) => match is_nowhere_negative(&-common, dimension)? {
+                let plus = is_nowhere_negative(&common, dimension)?;
+                if plus == Some(true) {
+                    polynomial = rest;
+                } else {
+                    match is_nowhere_negative(&-common, dimension)? {
                         Some(true) => polynomial = -rest,
-                        _ => whatever_the_step = found == Some(false),
-                    },
+                        minus => whatever_the_step = plus == Some(false) && minus == Some(false),
+                    }
                 }
             }
         }

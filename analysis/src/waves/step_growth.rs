@@ -104,21 +104,17 @@ pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
     }
     let step = step.expanded().unwrap_or_else(|| step.clone());
     let demands = DemandsAt::new(&step.inequalities_in(None, &Rational::zero())?);
-    let witness = match demands.decide() {
-        PointVerdict::Unstable(wave) => Some(wave),
-        _ => None,
-    };
-    growth_under(&step, &demands, witness.as_ref())
+    growth_under(&step, &demands, &demands.decide())
 }
 
-/// [`growth_at`] with the conditions known, and a wave that was proved to grow if one was.
+/// [`growth_at`] with the conditions known, and what they decide.
 pub(crate) fn growth_under(
     step: &Step,
     demands: &DemandsAt,
-    witness: Option<&Wave>,
+    decided: &PointVerdict<Wave>,
 ) -> Result<Growth, SchemeError> {
     if step.dimension() > 1 {
-        return growth_on_torus(step, witness);
+        return growth_on_torus(step, decided);
     }
     let chi = primitive_characteristic(step)?;
     let terms = difference_terms(&chi);
@@ -131,7 +127,7 @@ pub(crate) fn growth_under(
         DemandsAt::All(all) => {
             cells(all.iter().map(DemandAt::zeros), zeros_of_discriminant(step, &chi))
         }
-        DemandsAt::Nowhere => whole(true),
+        DemandsAt::Nowhere(_) => whole(true),
         DemandsAt::Unknown | DemandsAt::OnTorus(_) => whole(false),
     };
     let grows = cells.iter().any(|cell| cell.grows);

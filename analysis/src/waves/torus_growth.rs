@@ -7,7 +7,7 @@ use super::wave_terms::{difference_terms, primitive_characteristic};
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::rational::{Rational, from_f64, integer};
 use crate::scheme::{SchemeError, Step};
-use crate::stability::Wave;
+use crate::stability::{PointVerdict, Wave};
 use std::f64::consts::{PI, TAU};
 
 /// Samples along an axis for each order of a cosine; at least and at most, by dimension.
@@ -35,12 +35,20 @@ const BITS: u32 = 128;
 
 /// The largest `|z|` over all waves of a step whose parameters have values: sampled on a grid and refined, from the witness of an
 /// instability too, so that a narrow band that was proved to grow is not missed. Measured, not proved.
-pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Growth, SchemeError> {
+pub(super) fn growth_on_torus(
+    step: &Step,
+    decided: &PointVerdict<Wave>,
+) -> Result<Growth, SchemeError> {
+    let witness = match decided {
+        PointVerdict::Unstable(wave) => Some(wave),
+        _ => None,
+    };
     let terms = difference_terms(&primitive_characteristic(step)?);
     let compiled = CompiledStep::new(step, &terms);
     let precise = PreciseStep::new(step, &terms, BITS);
-    let stable = witness.is_none();
-    if stable && let Some(neutral) = neutral(&precise, step.dimension()) {
+    if *decided == PointVerdict::Stable
+        && let Some(neutral) = neutral(&precise, step.dimension())
+    {
         return Ok(neutral);
     }
     let at = step.dimension() - 1;

@@ -241,7 +241,18 @@ fn measure(arguments: &Arguments, plan: &Plan) -> Result<Result<Stencils, Refusa
     let program = StepProgram::new(&arguments.command, plan.layout.clone(), timeout)
         .map_err(|error| Failure::Message(format!("a temporary directory: {error}")))?;
     let values = match &plan.sought {
-        Some(_) => arguments.fit.0.clone(),
+        // What is judged is run as well: polynomials through other values say nothing of it.
+        Some(_) => {
+            let mut values = arguments.fit.0.clone();
+            values.extend(
+                plan.judged
+                    .iter()
+                    .filter(|value| !values.contains(value))
+                    .cloned()
+                    .collect::<Vec<_>>(),
+            );
+            values
+        }
         None => vec![Rational::default()],
     };
     let bar = Bar::new("running the program");

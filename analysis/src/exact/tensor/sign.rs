@@ -1,6 +1,6 @@
 //! The sign of a polynomial on the unit cube.
 
-use super::chart::{Origin, vanishing_axes};
+use super::chart::{Origin, separating_axis, vanishing_axes};
 use super::{Bernstein, Tensor};
 use crate::exact::rational::{Rational, integer, ratio};
 use num_traits::{Signed, Zero};
@@ -127,14 +127,13 @@ fn blow_up(cube: &Bernstein, origin: &Rc<Origin>, corner: usize, others: &[usize
     }
     let axes = vanishing_axes(dimension, |axes| cube.tensor().vanishes_on(axes));
     let axes = axes.expect("it vanishes at the corner");
-    if axes.len() > 1 {
-        let across = |axis: &&usize| others.iter().any(|other| (other ^ corner) >> **axis & 1 == 1);
-        if let Some(axis) = axes.iter().find(across) {
-            return Resolution::Halve(*axis);
-        }
-        if origin.charts() >= MOST_CHARTS {
-            return Resolution::TooDeep;
-        }
+    let others = others.iter().map(|other| other ^ corner);
+    let vanishes = |axes: &[usize]| cube.tensor().vanishes_on(axes);
+    if let Some(axis) = separating_axis(dimension, &axes, others, vanishes) {
+        return Resolution::Halve(axis);
+    }
+    if axes.len() > 1 && origin.charts() >= MOST_CHARTS {
+        return Resolution::TooDeep;
     }
     let powers = cube.powers();
     let order = powers.order(&axes).unwrap_or(0);

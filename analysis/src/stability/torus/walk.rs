@@ -108,8 +108,13 @@ impl<'a> Walk<'a> {
         let zero = Edge { lower: Rational::zero(), upper: Rational::zero(), spot: None };
         let mut from = zero.clone();
         let mut reached = self.plan.known.pow(self.stride as i32).min(self.search.end.clone());
-        for _ in 0..MOST_STRETCHES {
-            let spot = match self.stable_stretch(&reached) {
+        for stretches in 0.. {
+            if stretches == MOST_STRETCHES {
+                let open = self.values(&reached, &self.search.end.clone());
+                set.undecided.push(open);
+                break;
+            }
+            let (edge, spot) = match self.stable_stretch(&reached) {
                 Stretch::Continues => {
                     let (to, end) = if self.search.is_stable_beyond() {
                         (Limit::unbounded(&self.plan.max, Evidence::Proved), StretchEnd::Unbounded)
@@ -130,29 +135,42 @@ impl<'a> Walk<'a> {
                     break;
                 }
                 Stretch::Empty(spot) => {
-                    if reached > from.upper {
-                        let edge = Edge {
-                            lower: reached.clone(),
-                            upper: reached.clone(),
-                            spot: Some(spot.clone()),
-                        };
-                        set.intervals.push(self.ended(from, &edge));
-                        from = edge;
-                    } else if reached.is_zero() {
+                    let edge = Edge {
+                        lower: reached.clone(),
+                        upper: reached.clone(),
+                        spot: Some(spot.clone()),
+                    };
+                    if reached.is_zero() {
                         set.immediately_unstable = Some(self.wave(&spot));
                         let binding = self.search.inequalities[spot.inequality].binding;
                         set.immediate_binding = Some(binding);
                         self.unstable_at_once = Some(spot.clone());
                     }
-                    spot
+                    (edge, spot)
                 }
                 Stretch::Ends(edge) => {
-                    set.intervals.push(self.ended(from, &edge));
-                    from = edge.clone();
-                    edge.spot.expect("stability ends by a wave")
+                    let spot = edge.spot.clone().expect("stability ends by a wave");
+                    (edge, spot)
                 }
             };
-            match self.unstable_stretch(&from.upper.clone(), spot) {
+            // An edge is where a wave becomes unstable, not where one touches.
+            let Some((wave, until)) = self.unstable_just_above(&edge.upper, spot) else {
+                if edge.lower == edge.upper && edge.upper > reached {
+                    reached = edge.upper;
+                    continue;
+                }
+                let open = self.values(&edge.lower, &self.search.end.clone());
+                if edge.lower > from.upper {
+                    let to = Limit::between(open.0, open.1, Evidence::Undecided);
+                    set.intervals.push(StableInterval { from: self.limit(&from), to });
+                }
+                set.undecided.push(open);
+                break;
+            };
+            if edge.upper > from.upper {
+                set.intervals.push(self.ended(from, &edge, wave));
+            }
+            match self.unstable_stretch(until) {
                 Ok(None) => break,
                 Ok(Some(edge)) => {
                     reached = edge.upper.clone();
@@ -170,10 +188,10 @@ impl<'a> Walk<'a> {
     }
 
     /// A stable stretch up to an edge.
-    fn ended(&mut self, from: Edge, edge: &Edge) -> StableInterval {
+    fn ended(&mut self, from: Edge, edge: &Edge, wave: ExactSpot) -> StableInterval {
         let interval = StableInterval { from: self.limit(&from), to: self.limit(edge) };
-        self.stretches
-            .push(StableStretch { from, to: StretchEnd::Edge(Box::new(edge.clone()), None) });
+        let to = StretchEnd::Edge(Box::new(edge.clone()), Some(wave));
+        self.stretches.push(StableStretch { from, to });
         interval
     }
 
@@ -198,7 +216,7 @@ impl<'a> Walk<'a> {
                 let end = self.search.end.clone();
                 match self.search.is_stable(reached, &end) {
                     Ok(()) => return Stretch::Continues,
-                    Err(Objection::Budget) => return Stretch::Undecided(reached.clone(), end),
+                    Err(Objection::Budget) => break,
                     Err(Objection::Wave(spot, t)) => guess = self.of_counterexample(&spot, &t),
                 }
                 continue;
@@ -215,12 +233,17 @@ impl<'a> Walk<'a> {
                 }
             }
         }
-        // What can be proved of it: halves towards the start.
-        let mut to = guess.as_ref().map_or(self.search.end.clone(), |critical| {
+        // What can be proved of it: ever less of the way to where it may end.
+        let to = guess.as_ref().map_or(self.search.end.clone(), |critical| {
             crate::exact::rational::from_f64(critical.parameter).unwrap_or_default()
         });
-        for _ in 0..4 {
-            to = (reached + &to) / integer(2);
+        for bits in [14, 8, 4, 2, 1, 0] {
+            self.search.allow_more();
+            let part = match bits {
+                0 => integer(1) / integer(4),
+                bits => integer(1) - power_of_two(-bits),
+            };
+            let to = reached + (&to - reached) * part;
             if self.search.is_stable(reached, &to).is_ok() {
                 return Stretch::Undecided(to, self.search.end.clone());
             }
@@ -239,7 +262,7 @@ impl<'a> Walk<'a> {
 
     /// An edge up to which everything is proved stable: the exact one, else one a little lower.
     fn closed(&mut self, reached: &Rational, edge: Edge) -> Result<Edge, Objection> {
-        if edge.lower == edge.upper && self.search.is_stable(reached, &edge.lower).is_ok() {
+        if edge.lower == edge.upper && self.search.is_easily_stable(reached, &edge.lower) {
             return Ok(edge);
         }
         let (bits, mut last) = (self.search.bits, Objection::Budget);
@@ -265,27 +288,23 @@ impl<'a> Walk<'a> {
         Some(self.search.guesses.refined(&guess, true))
     }
 
-    /// Waves that are unstable one after the other: up to the edge where stability returns, `None` to the end of the range. The error is
-    /// the value from which on nothing is known.
-    fn unstable_stretch(
+    /// A wave that is unstable just above an edge, that of the edge or another, and up to where.
+    fn unstable_just_above(
         &mut self,
-        from: &Rational,
+        edge: &Rational,
         first: ExactSpot,
-    ) -> Result<Option<Edge>, Rational> {
-        let mut first = Some(first);
-        let mut reached = loop {
-            // The wave of the edge may only touch it; then another one grows beyond.
-            let spot = first.take().or_else(|| self.unstable_at_once(from));
-            let spot = spot.ok_or_else(|| from.clone())?;
-            if let Some(until) = self.search.unstable_until(from, &spot) {
-                if let Some(StretchEnd::Edge(_, wave)) =
-                    self.stretches.last_mut().map(|s| &mut s.to)
-                {
-                    *wave = Some(spot);
-                }
-                break until;
-            }
-        };
+    ) -> Option<(ExactSpot, Rational)> {
+        if let Some(until) = self.search.unstable_until(edge, &first) {
+            return Some((first, until));
+        }
+        let other = self.unstable_at_once(edge)?;
+        let until = self.search.unstable_until(edge, &other)?;
+        Some((other, until))
+    }
+
+    /// Waves that are unstable one after the other, from a value on up to which that is known: up to the edge where stability returns, `None` to the end of the range. The error is
+    /// the value from which on nothing is known.
+    fn unstable_stretch(&mut self, mut reached: Rational) -> Result<Option<Edge>, Rational> {
         for _ in 0..MOST_WAVES {
             if reached >= self.search.end {
                 return Ok(None);
@@ -327,9 +346,9 @@ impl<'a> Walk<'a> {
             let beyond = &upper * (integer(1) + power_of_two(6 - width));
             if self.search.is_stable(&upper, &beyond).is_ok() {
                 // The wave of an exact edge is unstable right up to it.
-                let reaches = &lower * (integer(1) + power_of_two(-40)) >= edge.lower;
-                let exact = edge.lower == edge.upper && upper == edge.upper && reaches;
-                let lower = if exact { upper.clone() } else { lower };
+                let exact = edge.lower == edge.upper && upper == edge.upper;
+                let reaches = exact && self.search.is_unstable_between(&lower, &upper, &spot);
+                let lower = if reaches { upper.clone() } else { lower };
                 return Ok(Edge { lower, upper, spot: Some(spot) });
             }
         }
