@@ -30,6 +30,9 @@ const LONG_WAVES: usize = 80;
 /// `|z|² − 1` above this is more than roundings.
 const SEEN: f64 = 1e-9;
 
+/// Rounds about all neighbours of one refinement at most.
+const MOST_PASSES: usize = 80;
+
 /// Bits of the arithmetic of the refinement: 38 digits.
 const BITS: u32 = 128;
 
@@ -180,7 +183,11 @@ pub(crate) fn place(precise: &PreciseStep, phases: &[f64]) -> Place {
 fn refined(value: &impl Fn(&[f64]) -> f64, mut phases: Vec<f64>, size: f64) -> (f64, Vec<f64>) {
     let (mut best, mut step) = (value(&phases), size);
     let count = 3usize.pow(phases.len() as u32);
-    while step > FINE * size {
+    // Roundings can be climbed for ever.
+    for _ in 0..MOST_PASSES {
+        if step <= FINE * size {
+            break;
+        }
         let mut moved = false;
         for neighbour in 1..count {
             let sign = |axis: usize| (neighbour / 3usize.pow(axis as u32) % 3 + 1) % 3;

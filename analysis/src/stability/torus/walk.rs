@@ -211,6 +211,7 @@ impl<'a> Walk<'a> {
                 Some((from, _)) => break Some(self.search.guesses.refined(&from, true)),
             }
         };
+        let mut may_end = None;
         for _ in 0..MOST_GUESSES {
             let Some(critical) = &guess else {
                 let end = self.search.end.clone();
@@ -221,7 +222,14 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             };
-            let Some(edge) = self.search.edge(critical) else { break };
+            let Some(edge) = self.search.edge(critical) else {
+                // A rounding: that wave has no edge there.
+                self.search.guesses.discard(critical.parameter);
+                let next = self.search.guesses.next_unstable(at * (1.0 + SAME));
+                guess = next.map(|(from, _)| self.search.guesses.refined(&from, true));
+                continue;
+            };
+            may_end = Some(edge.lower.clone());
             match self.closed(reached, edge) {
                 Ok(edge) => return Stretch::Ends(edge),
                 Err(Objection::Budget) => break,
@@ -234,9 +242,7 @@ impl<'a> Walk<'a> {
             }
         }
         // What can be proved of it: ever less of the way to where it may end.
-        let to = guess.as_ref().map_or(self.search.end.clone(), |critical| {
-            crate::exact::rational::from_f64(critical.parameter).unwrap_or_default()
-        });
+        let to = may_end.unwrap_or_else(|| self.search.end.clone());
         for bits in [14, 8, 4, 2, 1, 0] {
             self.search.allow_more();
             let part = match bits {
