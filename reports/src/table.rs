@@ -39,7 +39,7 @@ impl<T: Into<String>> From<T> for Cell {
 /// let mut table = Table::new("Limits", &[("kernel", Align::Left), ("C", Align::Right)]);
 /// table.push(["cubic-spline", "1.875"]);
 /// assert!(table.to_markdown().contains("| cubic-spline | 1.875 |"));
-/// assert_eq!(table.to_csv(), "kernel,C\ncubic-spline,1.875\n");
+/// assert_eq!(table.to_csv(), "kernel,cfl\ncubic-spline,1.875\n");
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {

@@ -187,7 +187,6 @@ fn verdicts_on_both_sides_of_the_limits_of_the_catalogue() {
         let parameter = scheme.parameter.as_deref().unwrap();
         let step = scheme.step(None, None, &[], Some(parameter)).unwrap();
         let plan = SearchPlan::default();
-        let started = std::time::Instant::now();
         let set = step.stable_set(parameter, &plan).unwrap();
         let limit = set.limit();
         let at = |value: &Rational| check(&step, parameter, value, &plan).unwrap();
@@ -208,7 +207,6 @@ fn verdicts_on_both_sides_of_the_limits_of_the_catalogue() {
             "{}: {found:?}",
             scheme.name
         );
-        eprintln!("{} {:?}", scheme.name, started.elapsed());
         if below == above {
             let there = at(&below);
             assert_eq!(there.verdict, Verdict::Marginal, "{}", scheme.name);
