@@ -135,7 +135,7 @@ fn on_cells(margin: &Margin) -> Onset {
             .filter_map(|power| {
                 on_edge(power).filter(|(_, value)| *value != 0.0).map(|(k, _)| (power, k))
             })
-            .last()
+            .next_back()
         else {
             break;
         };
