@@ -84,7 +84,8 @@ impl Growth {
 
 /// The largest `|z|` over all waves of a step whose parameters all have values: relative error of `|z| − 1` below `1e-9`. Between
 /// neighbouring zeros of the stability conditions, which are isolated exactly, `|z|` is sampled and refined; no band of growing
-/// waves is missed, however narrow. Where enclosures enter, their middle is meant.
+/// waves is missed, however narrow. Where enclosures enter, their middle is meant. In two and three dimensions waves are sampled on a grid and
+/// refined, from a wave that was proved to grow as well: there the growth is measured, that there is some is proved.
 ///
 /// ```
 /// use courant_analysis::{exact::rational::parse, scheme::Step, waves::growth_at};
@@ -96,7 +97,7 @@ impl Growth {
 /// ```
 ///
 /// # Errors
-/// When a parameter has no value, or in more than one space dimension.
+/// When a parameter has no value.
 pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
