@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub(crate) mod bands;
 pub mod branches;
+pub(crate) mod compass_search;
 pub mod dispersion;
 pub(crate) mod envelope;
 pub mod exact_wave;

@@ -5,17 +5,17 @@
 //! sampled extremum is refined by parabolas and golden sections: the largest modulus has corners where two multipliers exchange places.
 
 use super::CompiledStep;
-use super::envelope::{Extreme, LANES, Lanes};
+use super::envelope::{Extreme, LANES};
 use super::roots::roots;
 use num_complex::Complex64;
-use pulp::Arch;
 use std::f64::consts::PI;
 
 mod largest_root;
 mod on_torus;
+mod table;
 
-use largest_root::LargestRoots;
 pub(crate) use on_torus::extremes_on_torus;
+use table::Table;
 
 /// Samples for each half-wave of the coefficients, and at least.
 const SAMPLES_PER_HALF_WAVE: usize = 16;
@@ -41,9 +41,7 @@ const CLOSE: f64 = 0.02;
 pub(crate) struct SampledGain<'a> {
     compiled: &'a CompiledStep,
     phases: Vec<f64>,
-    /// `[phase][j][power]` for `χ(1 + y) = Σ_j b_j y^j`.
-    coefficients: Vec<Complex64>,
-    powers: usize,
+    table: Table,
 }
 
 /// A value at a phase, negated where the smallest is sought.
@@ -55,32 +53,15 @@ impl<'a> SampledGain<'a> {
         let phases: Vec<f64> = (0..=cells)
             .map(|index| if index == cells { PI } else { index as f64 * PI / cells as f64 })
             .collect();
-        let (_, powers) = compiled.parameter_powers();
-        let width = powers * (compiled.degree() + 1);
-        let mut coefficients = vec![Complex64::ZERO; phases.len() * width];
-        for (&phase, values) in phases.iter().zip(coefficients.chunks_exact_mut(width)) {
-            compiled.coefficients_in_parameter(&[phase], values);
-        }
-        Self { compiled, phases, coefficients, powers }
-    }
-
-    fn width(&self) -> usize {
-        self.powers * (self.compiled.degree() + 1)
+        let table = Table::new(compiled, phases.iter().map(std::slice::from_ref));
+        Self { compiled, phases, table }
     }
 
     /// The largest and the smallest `|z|² − 1` of the largest multiplier.
     pub(crate) fn extremes(&self, parameters: &[f64]) -> Vec<[Extreme; 2]> {
         let mut extremes = Vec::with_capacity(parameters.len());
         for columns in parameters.chunks(LANES) {
-            let t: Lanes = std::array::from_fn(|lane| columns[lane.min(columns.len() - 1)]);
-            let samples: Vec<Lanes> = Arch::new().dispatch(
-                #[inline(always)]
-                || {
-                    let mut roots = LargestRoots::new(self.compiled.degree());
-                    let nodes = self.coefficients.chunks_exact(self.width());
-                    nodes.map(|node| roots.excess(node, self.powers, &t)).collect()
-                },
-            );
+            let samples = self.table.excess(columns);
             for (lane, &parameter) in columns.iter().enumerate() {
                 let sampled = |sign: f64| samples.iter().map(move |value| sign * value[lane]);
                 extremes.push([1.0, -1.0].map(|sign| {
@@ -94,9 +75,7 @@ impl<'a> SampledGain<'a> {
 
     /// `sign (|z|² − 1)` of the largest multiplier of any wave.
     fn at(&self, parameter: f64, sign: f64, phase: f64) -> Point {
-        let mut values = vec![Complex64::ZERO; self.width()];
-        self.compiled.coefficients_in_parameter(&[phase], &mut values);
-        (sign * largest_excess(&values, self.powers, parameter), phase)
+        (sign * self.table.excess_at(self.compiled, parameter, &[phase]), phase)
     }
 
     /// The smallest gain about a phase where it nearly vanishes: the modulus has a corner there, which golden sections find to more

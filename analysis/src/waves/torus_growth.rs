@@ -1,5 +1,6 @@
 //! How fast the fastest wave grows in one step, in two and three dimensions.
 
+use super::compass_search::CompassSearch;
 use super::multipliers::CompiledStep;
 use super::precise::{Place, PreciseStep};
 use super::step_growth::{Growth, MOST_BITS, growth_of};
@@ -29,9 +30,6 @@ const LONG_WAVES: usize = 80;
 
 /// `|z|² − 1` above this is more than roundings.
 const SEEN: f64 = 1e-9;
-
-/// Rounds about all neighbours of one refinement at most.
-const MOST_PASSES: usize = 80;
 
 /// Bits of the arithmetic of the refinement: 38 digits.
 const BITS: u32 = 128;
@@ -78,17 +76,9 @@ pub(super) fn growth_on_torus(
             break;
         }
     }
-    let from_samples = apart.into_iter().map(|phases| (phases, spacing));
-    let from_witness =
-        witness.map(|wave: &Wave| match wave.phases().iter().all(|p| p.abs() < LONG * spacing) {
-            true => fastest_long_wave(&precise, wave.direction(), spacing),
-            false => {
-                let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
-                (wave.phases().to_vec(), spacing.min(0.5 * size))
-            }
-        });
-    let best = from_samples
-        .map(|(phases, size)| refined(&sampled, phases, size))
+    let best = apart
+        .into_iter()
+        .map(|phases| CompassSearch::free(spacing, FINE * spacing).maximum(sampled, phases))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     // Growth that floating point does not see is looked for about the witness, in as many digits as it takes.
     let precisely = |phases: &[f64]| {
@@ -97,8 +87,15 @@ pub(super) fn growth_on_torus(
     };
     // Where two multipliers meet roundings are as large as their root.
     let seen = best.as_ref().is_some_and(|(_, phases)| precisely(phases) > SEEN);
-    let best = match from_witness {
-        Some((phases, size)) if !seen => Some(refined(&precisely, phases, size)),
+    let best = match witness {
+        Some(wave) if !seen => {
+            let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
+            let (phases, size) = match size < LONG * spacing {
+                true => fastest_long_wave(&precise, wave.direction(), spacing),
+                false => (wave.phases().to_vec(), spacing.min(0.5 * size)),
+            };
+            Some(CompassSearch::free(size, FINE * size).maximum(precisely, phases))
+        }
         _ => best,
     };
     let phases = best.map_or_else(|| vec![0.0; step.dimension()], |(_, phases)| phases);
@@ -177,32 +174,6 @@ pub(crate) fn place(precise: &PreciseStep, phases: &[f64]) -> Place {
         (s, phase < 0.0)
     };
     precise.place_on_torus(&phases.iter().map(axis).collect::<Vec<_>>())
-}
-
-/// The maximum about a wave, by steps to its neighbours that become ever smaller.
-fn refined(value: &impl Fn(&[f64]) -> f64, mut phases: Vec<f64>, size: f64) -> (f64, Vec<f64>) {
-    let (mut best, mut step) = (value(&phases), size);
-    let count = 3usize.pow(phases.len() as u32);
-    // Roundings can be climbed for ever.
-    for _ in 0..MOST_PASSES {
-        if step <= FINE * size {
-            break;
-        }
-        let mut moved = false;
-        for neighbour in 1..count {
-            let sign = |axis: usize| (neighbour / 3usize.pow(axis as u32) % 3 + 1) % 3;
-            let to = |(axis, phase): (usize, &f64)| phase + (sign(axis) as f64 - 1.0) * step;
-            let tried: Vec<f64> = phases.iter().enumerate().map(to).collect();
-            let found = value(&tried);
-            if found > best {
-                (best, phases, moved) = (found, tried, true);
-            }
-        }
-        if !moved {
-            step *= 0.4;
-        }
-    }
-    (best, phases)
 }
 
 /// `|z|² − 1`, logarithmic beyond 1, so that it does not overflow.

@@ -3,6 +3,7 @@
 use super::TorusInequality;
 use super::cell::CompiledCell;
 use crate::stability::critical::negative_intervals;
+use crate::waves::compass_search::CompassSearch;
 
 /// A wave as a point of a cell.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,9 +24,6 @@ pub(super) struct Critical {
 /// Steps of a sample grid along an axis, at least and at most, by dimension.
 const FEWEST: [usize; 3] = [32, 8, 4];
 const MOST: [usize; 3] = [256, 24, 10];
-
-/// Rounds about all neighbours of one refinement at most.
-const MOST_PASSES: usize = 400;
 
 /// A coefficient below this share of the largest is a rounding.
 const ROUNDING: f64 = 1e-15;
@@ -115,29 +113,13 @@ impl Guesses {
             let away = |end: &f64| (end - guess.parameter).abs();
             ends.min_by(|a, b| away(a).total_cmp(&away(b)))
         };
-        let better = |a: f64, b: f64| if is_start { a < b } else { a > b };
-        let dimension = guess.spot.point.len();
-        let mut best = guess.clone();
-        let mut step = 1.0 / FEWEST[dimension - 1] as f64;
-        // Roundings can be climbed for ever.
-        for _ in 0..MOST_PASSES {
-            if step <= FINEST {
-                break;
-            }
-            let mut moved = false;
-            for direction in directions(dimension) {
-                let to = |(x, sign): (&f64, &f64)| (x + sign * step).clamp(0.0, 1.0);
-                let point: Vec<f64> = best.spot.point.iter().zip(&direction).map(to).collect();
-                if let Some(parameter) = end_at(&point).filter(|&end| better(end, best.parameter)) {
-                    best = Critical { parameter, spot: Spot { point, ..best.spot } };
-                    moved = true;
-                }
-            }
-            if !moved {
-                step *= 0.5;
-            }
-        }
-        best
+        // The lowest start is the highest of its negative.
+        let sign = if is_start { -1.0 } else { 1.0 };
+        let value = |point: &[f64]| end_at(point).map_or(f64::NEG_INFINITY, |end| sign * end);
+        let first = 1.0 / FEWEST[guess.spot.point.len() - 1] as f64;
+        let search = CompassSearch { first, last: FINEST, within: (0.0, 1.0) };
+        let (best, point) = search.maximum(value, guess.spot.point.clone());
+        Critical { parameter: sign * best, spot: Spot { point, ..guess.spot } }
     }
 }
 
@@ -162,16 +144,4 @@ fn grid(degrees: &[usize]) -> Vec<Vec<f64>> {
         points = points.into_iter().flat_map(longer).collect();
     }
     points
-}
-
-/// Steps to all neighbours.
-fn directions(dimension: usize) -> Vec<Vec<f64>> {
-    let mut all = vec![Vec::new()];
-    for _ in 0..dimension {
-        let longer =
-            |vector: Vec<f64>| [0.0, 1.0, -1.0].map(|sign| [vector.as_slice(), &[sign]].concat());
-        all = all.into_iter().flat_map(longer).collect();
-    }
-    all.retain(|vector| vector.iter().any(|sign| *sign != 0.0));
-    all
 }

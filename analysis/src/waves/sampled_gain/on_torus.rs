@@ -1,11 +1,10 @@
 //! The extremes of the largest multiplier over the waves of two and three dimensions, by samples that are refined.
 
 use super::super::CompiledStep;
-use super::super::envelope::{LANES, Lanes};
+use super::super::compass_search::CompassSearch;
+use super::super::envelope::LANES;
 use super::super::torus_growth::half_of_all_waves;
-use super::{LargestRoots, largest_excess};
-use num_complex::Complex64;
-use pulp::Arch;
+use super::Table;
 use std::f64::consts::TAU;
 
 /// Samples along an axis for each order of a cosine; at least and at most, by dimension.
@@ -16,73 +15,28 @@ const MOST: [usize; 3] = [512, 64, 16];
 /// Steps of the refinement end at this share of the first one: the value is then wrong by the square of it.
 const FINE: f64 = 1e-5;
 
-/// Rounds about all neighbours of one refinement at most.
-const MOST_PASSES: usize = 80;
-
 /// The largest and the smallest `|z|² − 1` of the largest multiplier, for each value of the one parameter that is free.
 pub(crate) fn extremes_on_torus(compiled: &CompiledStep, parameters: &[f64]) -> Vec<[f64; 2]> {
-    let (_, powers) = compiled.parameter_powers();
-    let (width, at) = (powers * (compiled.degree() + 1), compiled.dimension() - 1);
+    let at = compiled.dimension() - 1;
     let steps = (SAMPLES * compiled.span()).clamp(FEWEST[at], MOST[at]) & !1;
+    let spacing = TAU / steps as f64;
+    let search = CompassSearch::free(0.5 * spacing, FINE * spacing);
     let phases: Vec<Vec<f64>> = half_of_all_waves(compiled.dimension(), steps).collect();
-    let mut coefficients = vec![Complex64::ZERO; phases.len() * width];
-    for (phase, values) in phases.iter().zip(coefficients.chunks_exact_mut(width)) {
-        compiled.coefficients_in_parameter(phase, values);
-    }
+    let table = Table::new(compiled, phases.iter().map(Vec::as_slice));
     let mut extremes = Vec::with_capacity(parameters.len());
     for columns in parameters.chunks(LANES) {
-        let t: Lanes = std::array::from_fn(|lane| columns[lane.min(columns.len() - 1)]);
-        let samples: Vec<Lanes> = Arch::new().dispatch(
-            #[inline(always)]
-            || {
-                let mut roots = LargestRoots::new(compiled.degree());
-                coefficients
-                    .chunks_exact(width)
-                    .map(|node| roots.excess(node, powers, &t))
-                    .collect()
-            },
-        );
+        let samples = table.excess(columns);
         for (lane, &parameter) in columns.iter().enumerate() {
             extremes.push([1.0, -1.0].map(|sign| {
                 let value = |index: &usize| sign * samples[*index][lane];
                 let best = (0..samples.len()).max_by(|a, b| value(a).total_cmp(&value(b)));
-                let start = &phases[best.unwrap_or(0)];
-                let mut values = vec![Complex64::ZERO; width];
-                let at = |phase: &[f64]| {
-                    compiled.coefficients_in_parameter(phase, &mut values);
-                    sign * largest_excess(&values, powers, parameter)
-                };
-                sign * refined(at, start.clone(), TAU / steps as f64)
+                let start = phases[best.unwrap_or(0)].clone();
+                let at = |phase: &[f64]| sign * table.excess_at(compiled, parameter, phase);
+                sign * search.maximum(at, start).0
             }));
         }
     }
     extremes
-}
-
-/// The maximum about a sampled one, by ever smaller steps along the axes and diagonals.
-fn refined(mut at: impl FnMut(&[f64]) -> f64, mut phase: Vec<f64>, spacing: f64) -> f64 {
-    let (mut best, mut step) = (at(&phase), 0.5 * spacing);
-    let directions = 3usize.pow(phase.len() as u32);
-    // Roundings can be climbed for ever.
-    for _ in 0..MOST_PASSES {
-        if step <= FINE * spacing {
-            break;
-        }
-        let mut moved = false;
-        for direction in 1..directions {
-            let sign = |axis: usize| [0.0, 1.0, -1.0][direction / 3usize.pow(axis as u32) % 3];
-            let to = |(axis, x): (usize, &f64)| x + sign(axis) * step;
-            let tried: Vec<f64> = phase.iter().enumerate().map(to).collect();
-            let value = at(&tried);
-            if value > best {
-                (best, phase, moved) = (value, tried, true);
-            }
-        }
-        if !moved {
-            step *= 0.4;
-        }
-    }
-    best
 }
 
 #[cfg(test)]
