@@ -254,8 +254,8 @@ pub struct SingularRecord {
     pub value: f64,
     /// The value, where it is a fraction.
     pub exact: Option<String>,
-    /// The phase of the wave, in radians.
-    pub phase: Option<f64>,
+    /// The phase of the wave, in radians; a list in two and three dimensions.
+    pub phase: Option<Phases>,
     /// Why it is `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<&'static str>,
@@ -335,6 +335,11 @@ pub struct CheckRecord {
     pub critical_phase: Option<Phases>,
     /// `max |z| − 1`.
     pub growth_per_step: Option<f64>,
+    /// `refined` where no wave is missed, `sampled` in two and three dimensions.
+    pub growth_evidence: &'static str,
+    /// `all` where the waves with multiple multipliers were isolated, `some` where only phases that are multiples of π/2 and the binding
+    /// wave were looked at: in two and three dimensions.
+    pub multiple_multipliers: &'static str,
     /// Why it is `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub growth_reason: Option<&'static str>,

@@ -134,6 +134,8 @@ fn record(answer: &Answer) -> CheckRecord {
         max_gain: finite(1.0 + found.growth.per_step),
         critical_phase: found.critical_wave().as_ref().map(Phases::of),
         growth_per_step: finite(found.growth.per_step),
+        growth_evidence: if found.growth.sampled { "sampled" } else { "refined" },
+        multiple_multipliers: if found.growth.sampled { "some" } else { "all" },
         growth_reason: (!found.growth.per_step.is_finite())
             .then_some("one step makes this wave larger than any number"),
         steps_to_double: found.steps_to_double,
@@ -320,7 +322,8 @@ fn table(arguments: &Arguments, answer: &Answer) -> Table {
         add("monotonicity limit", describe(&set.limit(), symbol, None));
     }
     add("largest |z|", significant(1.0 + found.growth.per_step, 12));
-    add("growth per step", significant(found.growth.per_step, 6));
+    let sampled = if found.growth.sampled { " (of sampled waves)" } else { "" };
+    add("growth per step", format!("{}{sampled}", significant(found.growth.per_step, 6)));
     if let Some(steps) = found.steps_to_double {
         add("steps to double", significant(steps, 4));
         let wave = &found.growth.wave;

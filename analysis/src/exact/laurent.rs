@@ -8,6 +8,7 @@ mod divisor;
 mod print;
 mod product;
 
+pub(crate) use divisor::common_divisor;
 pub use divisor::greatest_common_divisor;
 pub use print::latex;
 

@@ -162,23 +162,24 @@ impl SchemeFile {
 
     /// Whether an integrator must complete it.
     pub fn is_of_lines(&self) -> bool {
-        let mut found = false;
-        for equation in &self.equations.equations {
-            visit(&equation.left, &mut |node| found |= is_derivative(node));
-            visit(&equation.right, &mut |node| found |= is_derivative(node));
-        }
-        found
+        self.any(|node| matches!(node, Node::Unknown(unknown) if unknown.derivative))
     }
 
     /// Whether it needs a kernel.
     pub fn needs_kernel(&self) -> bool {
+        self.any(|node| matches!(node, Node::Sum { .. } | Node::Weight { .. }))
+    }
+
+    /// Whether it has more than one space dimension.
+    pub fn is_of_several_dimensions(&self) -> bool {
+        self.any(|node| matches!(node, Node::Unknown(unknown) if unknown.space.len() > 1))
+    }
+
+    fn any(&self, is_it: impl Fn(&Node) -> bool) -> bool {
         let mut found = false;
         for equation in &self.equations.equations {
-            let mut look = |node: &Node| {
-                found |= matches!(node, Node::Sum { .. } | Node::Weight { .. });
-            };
-            visit(&equation.left, &mut look);
-            visit(&equation.right, &mut look);
+            visit(&equation.left, &mut |node| found |= is_it(node));
+            visit(&equation.right, &mut |node| found |= is_it(node));
         }
         found
     }
@@ -259,10 +260,6 @@ impl SchemeFile {
         let lattice = KernelLattice::new(kernel, ratio)?;
         self.step(Some(&lattice), None, &[], self.parameter.as_deref())
     }
-}
-
-fn is_derivative(node: &Node) -> bool {
-    matches!(node, Node::Unknown(unknown) if unknown.derivative)
 }
 
 fn visit(expression: &Expression, look: &mut impl FnMut(&Node)) {

@@ -1,13 +1,16 @@
 //! Where an implicit step cannot be solved: the coefficient of the newest level vanishes for some wave.
 
 use super::inequality::margin_of;
-use super::{SearchPlan, search_within};
-use crate::exact::laurent::{Laurent, Variable};
+use super::{SearchPlan, Wave, search_within};
+use crate::exact::laurent::{Exponents, Laurent, Variable, common_divisor};
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, simplest_between, to_f64, to_text};
 use crate::exact::real_roots::real_roots;
 use crate::scheme::{SchemeError, Step};
+use num_bigint::BigInt;
 use num_traits::{One, Zero};
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 /// Bits of the enclosure of a singular value.
 const BITS: u32 = 128;
@@ -19,23 +22,23 @@ pub struct SingularStep {
     pub value: f64,
     /// The value, where it is a fraction.
     pub exact: Option<Rational>,
-    /// The wave's phase in radians; nothing where no wave can be stepped.
-    pub phase: Option<f64>,
+    /// The wave; nothing where no wave can be stepped.
+    pub wave: Option<Wave>,
 }
 
 impl Step {
-    /// The values of a parameter within `[0, plan.max]` at which no wave, or the longest or the shortest, can be stepped, and the first
-    /// one at which any wave cannot, where the leading coefficient is real. Other singular waves are not looked for.
+    /// The values of a parameter within `[0, plan.max]` at which no wave can be stepped, or one whose phases are 0 and π; and, in one
+    /// dimension, the first one at which any wave cannot, where the leading coefficient is real. Other singular waves are not looked for.
     ///
     /// ```
     /// use courant_analysis::scheme::Step;
     /// use courant_analysis::stability::SearchPlan;
     /// // For every wave, for the shortest.
     /// let nothing = Step::from_text("C*u[n+1,j] = u[n,j]")?.singular_steps("C", &SearchPlan::default())?;
-    /// assert_eq!((nothing.len(), nothing[0].value, nothing[0].phase), (1, 0.0, None));
+    /// assert_eq!((nothing.len(), nothing[0].value, &nothing[0].wave), (1, 0.0, &None));
     /// let downwind = Step::from_text("u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j]) = u[n,j]")?;
     /// let singular = downwind.singular_steps("C", &SearchPlan::default())?;
-    /// assert_eq!((singular[0].value, singular[0].phase), (0.5, Some(std::f64::consts::PI)));
+    /// assert_eq!((singular[0].value, singular[0].wave.as_ref().unwrap().phases()), (0.5, &[std::f64::consts::PI][..]));
     /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
     /// ```
     ///
@@ -52,20 +55,23 @@ impl Step {
         if self.names.letters().next().is_some() {
             return Ok(found);
         }
-        let at_ends =
-            [0.0, std::f64::consts::PI].map(|phase| (at_end(&leading, phase), Some(phase)));
-        // For every wave first: what divides the coefficients of all of them.
-        let of_all = leading.content(Variable::axis(0));
-        let low = |one: &Laurent| one.range(variable).map_or(0, |(low, _)| low);
-        let of_all = of_all.shifted(variable, low(&leading) - low(&of_all));
-        for (polynomial, phase) in [(of_all, None)].into_iter().chain(at_ends) {
+        let at_corners = (0..1usize << self.dimension).map(|corner| {
+            let phase = |axis: usize| if corner >> axis & 1 == 1 { PI } else { 0.0 };
+            let phases = (0..self.dimension).map(phase).collect();
+            (at_corner(&leading, corner), Some(Wave::new(phases)))
+        });
+        for (polynomial, wave) in
+            [(of_all_waves(&leading, variable), None)].into_iter().chain(at_corners)
+        {
             for (value, exact) in zeros(&polynomial, variable, &plan.max) {
-                if found.iter().all(|known| known.phase.is_some() || known.value != value) {
-                    found.push(SingularStep { value, exact, phase });
+                if found.iter().all(|known| known.wave.is_some() || known.value != value) {
+                    found.push(SingularStep { value, exact, wave: wave.clone() });
                 }
             }
         }
-        if let Some(real) = centred(&leading) {
+        if self.dimension == 1
+            && let Some(real) = centred(&leading)
+        {
             let margin = margin_of(&real, &self.names, Some(variable), &Rational::one());
             let positive = search_within(&margin, &plan.max, &integer(0), plan.bits, plan.budget);
             let limit = positive.limit();
@@ -77,7 +83,7 @@ impl Step {
                 found.push(SingularStep {
                     value: limit.value(),
                     exact,
-                    phase: Some(limit.critical_phase().unwrap_or(0.0)),
+                    wave: limit.critical_wave().cloned(),
                 });
             }
         }
@@ -122,15 +128,26 @@ fn zeros(polynomial: &Laurent, variable: Variable, max: &Rational) -> Vec<(f64, 
     zero.into_iter().chain(positive.filter(|(value, _)| *value > 0.0)).collect()
 }
 
-/// The value at `E = 1` or `E = −1`.
-fn at_end(polynomial: &Laurent, phase: f64) -> Laurent {
-    let shortest = phase > 0.0;
-    let axis = Variable::axis(0).0;
+/// What divides the coefficients of all waves.
+fn of_all_waves(leading: &Laurent, variable: Variable) -> Laurent {
+    let mut by_wave: BTreeMap<[i16; 3], Vec<(Exponents, BigInt)>> = BTreeMap::new();
+    for (exponents, value) in leading.terms() {
+        let mut rest = *exponents;
+        let wave = [1, 2, 3].map(|axis| std::mem::take(&mut rest[axis]));
+        by_wave.entry(wave).or_default().push((rest, value.clone()));
+    }
+    let common = common_divisor(by_wave.into_values().map(Laurent::new).collect());
+    let low = |one: &Laurent| one.range(variable).map_or(0, |(low, _)| low);
+    common.shifted(variable, low(leading) - low(&common))
+}
+
+/// The value where each shift is 1, or −1 along the axes of the corner.
+fn at_corner(polynomial: &Laurent, corner: usize) -> Laurent {
     let terms = polynomial.terms().iter().map(|(exponents, value)| {
         let mut rest = *exponents;
-        let odd = rest[axis] % 2 != 0;
-        rest[axis] = 0;
-        (rest, if shortest && odd { -value } else { value.clone() })
+        let odd = (0..3).filter(|axis| corner >> axis & 1 == 1 && rest[1 + axis] % 2 != 0).count();
+        (1..4).for_each(|axis| rest[axis] = 0);
+        (rest, if odd % 2 == 1 { -value } else { value.clone() })
     });
     Laurent::new(terms.collect())
 }
@@ -142,7 +159,7 @@ fn centred(polynomial: &Laurent) -> Option<Laurent> {
     if !shifted.is_real() {
         return None;
     }
-    let start = at_end(&shifted, 0.0).terms().first().map(|(_, value)| value.clone())?;
+    let start = at_corner(&shifted, 0).terms().first().map(|(_, value)| value.clone())?;
     Some(if start < 0.into() { -shifted } else { shifted })
 }
 
@@ -150,7 +167,7 @@ fn centred(polynomial: &Laurent) -> Option<Laurent> {
 mod tests {
     use super::*;
     use crate::exact::rational::ratio;
-    use std::f64::consts::{FRAC_PI_2, PI};
+    use std::f64::consts::FRAC_PI_2;
 
     fn singular(text: &str) -> Vec<SingularStep> {
         let plan = SearchPlan::default().up_to(integer(10));
@@ -158,7 +175,11 @@ mod tests {
     }
 
     fn at(exact: Rational, phase: f64) -> SingularStep {
-        SingularStep { value: to_f64(&exact), exact: Some(exact), phase: Some(phase) }
+        SingularStep {
+            value: to_f64(&exact),
+            exact: Some(exact),
+            wave: Some(Wave::new(vec![phase])),
+        }
     }
 
     #[test]
@@ -171,7 +192,7 @@ mod tests {
         assert_eq!(singular(both), [at(ratio(2, 3), 0.0), at(integer(2), PI)]);
         // The same root for every wave is no fraction, and named once, without a wave.
         let [irrational] = &singular("(1 - 2*C^2)*u[n+1,j] = u[n,j]")[..] else { panic!() };
-        assert!(irrational.phase.is_none() && irrational.exact.is_none());
+        assert!(irrational.wave.is_none() && irrational.exact.is_none());
         assert!((irrational.value - 0.5f64.sqrt()).abs() < 1e-15);
     }
 
@@ -186,7 +207,7 @@ mod tests {
         ] {
             let [only] = &singular(&text)[..] else { panic!("{text}") };
             assert_eq!((only.value, only.exact.clone()), (0.25, Some(ratio(1, 4))), "{text}");
-            assert!((only.phase.unwrap() - FRAC_PI_2).abs() < 1e-7, "{only:?}");
+            assert!((only.wave.clone().unwrap().phases()[0] - FRAC_PI_2).abs() < 1e-7, "{only:?}");
         }
         // C − s: every wave has its own singular value, from 0 on; the shortest has 1.
         let at_once = "C*u[n+1,j] + (u[n+1,j+1] - 2*u[n+1,j] + u[n+1,j-1])/4 = u[n,j]";
@@ -201,5 +222,35 @@ mod tests {
         let explicit = "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])";
         let implicit = "u[n+1,j] - C*(u[n+1,j+1] - 2*u[n+1,j] + u[n+1,j-1]) = u[n,j]";
         assert!(singular(explicit).is_empty() && singular(implicit).is_empty());
+    }
+
+    #[test]
+    fn waves_of_two_dimensions_are_looked_at() {
+        // (1 − 2C) for the wave of two cells along x, (1 − 4C) for the checkerboard, 1 − C for none.
+        let text =
+            "u[n+1,i,j] + C*(u[n+1,i+1,j] - u[n+1,i,j]) + C*(u[n+1,i,j+1] - u[n+1,i,j]) = u[n,i,j]";
+        let found = singular(text);
+        let waves: Vec<(f64, Vec<f64>)> = found
+            .iter()
+            .map(|one| (one.value, one.wave.as_ref().unwrap().phases().to_vec()))
+            .collect();
+        assert_eq!(waves[0], (0.25, vec![PI, PI]));
+        assert_eq!(waves[1..], [(0.5, vec![PI, 0.0]), (0.5, vec![0.0, PI])]);
+        let all = singular("(1 - C)*u[n+1,i,j] = u[n,i,j] + C*u[n,i-1,j-1]");
+        assert!(
+            all[0].value == 1.0
+                && all[0].wave.is_none()
+                && all.iter().all(|one| one.wave.is_none()),
+            "{all:?}"
+        );
+        // Implicit, and never singular.
+        let implicit = "u[n+1,i,j] - r*(u[n+1,i+1,j] + u[n+1,i-1,j] + u[n+1,i,j+1] + u[n+1,i,j-1] - 4*u[n+1,i,j]) = u[n,i,j]";
+        assert!(
+            Step::from_text(implicit)
+                .unwrap()
+                .singular_steps("r", &SearchPlan::default())
+                .unwrap()
+                .is_empty()
+        );
     }
 }

@@ -3,7 +3,7 @@
 use super::at_value::DemandsAt;
 use super::decision::LEAST_BUDGET;
 use super::multiplicity::multiplicity_among;
-use super::{Evidence, Limit, PointVerdict, SearchPlan, StableSet, Wave};
+use super::{Demands, Evidence, Limit, PointVerdict, SearchPlan, StableSet, Wave};
 use crate::exact::rational::{Rational, from_f64, integer};
 use crate::scheme::{SchemeError, Step};
 use crate::waves::Growth;
@@ -138,12 +138,16 @@ pub fn check(
         PointVerdict::Undecided => Verdict::Undecided,
         PointVerdict::Unstable(_) if growth.per_step <= WEAK_GROWTH => Verdict::WeaklyUnstable,
         PointVerdict::Unstable(_) => Verdict::Unstable,
-        PointVerdict::Stable
-            if multiplicity.growing.is_some() || !is_inside(&stable_set, value, strict) =>
-        {
-            Verdict::Marginal
+        PointVerdict::Stable => {
+            let near = || match &asked {
+                Demands::OnTorus(demands) => demands.are_met_about(value, plan.budget),
+                _ => strict,
+            };
+            match multiplicity.growing.is_none() && is_inside(&stable_set, value, near) {
+                true => Verdict::Stable,
+                false => Verdict::Marginal,
+            }
         }
-        PointVerdict::Stable => Verdict::Stable,
     };
     let grows = matches!(verdict, Verdict::WeaklyUnstable | Verdict::Unstable);
     Ok(Check {
@@ -158,14 +162,14 @@ pub fn check(
     })
 }
 
-/// Whether values a little to either side are stable too, where the value itself is; `strict` where that is known of it alone.
-fn is_inside(set: &StableSet, value: &Rational, strict: bool) -> bool {
+/// Whether values a little to either side are stable too, where the value itself is; `near` asks what is known of it alone.
+fn is_inside(set: &StableSet, value: &Rational, near: impl Fn() -> bool) -> bool {
     if value.is_zero() {
         // There are no values below.
         return set.limit().is_positive();
     }
     let mut ends = set.intervals.iter().flat_map(|interval| [&interval.from, &interval.to]);
-    !ends.any(|end| is_at(end, value)) && (set.contains(value) || strict)
+    !ends.any(|end| is_at(end, value)) && (set.contains(value) || near())
 }
 
 /// Whether a value is an end, or cannot be told from it by an `f64`.

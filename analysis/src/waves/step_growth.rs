@@ -62,6 +62,8 @@ pub struct Growth {
     pub wave: Wave,
     /// The multiplier `z`.
     pub multiplier: Complex64,
+    /// Whether waves were only sampled, and the best samples refined: in two and three dimensions.
+    pub sampled: bool,
 }
 
 impl Growth {
@@ -72,13 +74,14 @@ impl Growth {
 
     /// A wave that neither grows nor decays.
     pub(super) fn neutral(wave: Wave, multiplier: Complex64) -> Self {
-        Self { per_step: 0.0, logarithm: 0.0, wave, multiplier }
+        Self { per_step: 0.0, logarithm: 0.0, wave, multiplier, sampled: false }
     }
 
     /// A wave for which the step cannot be solved.
     pub(super) fn singular(wave: Wave) -> Self {
         let multiplier = Complex64::new(f64::INFINITY, 0.0);
-        Self { per_step: f64::INFINITY, logarithm: f64::INFINITY, wave, multiplier }
+        let infinite = f64::INFINITY;
+        Self { per_step: infinite, logarithm: infinite, wave, multiplier, sampled: false }
     }
 }
 
@@ -115,7 +118,7 @@ pub(crate) fn growth_under(
     decided: &PointVerdict<Wave>,
 ) -> Result<Growth, SchemeError> {
     if step.dimension() > 1 {
-        return growth_on_torus(step, decided);
+        return Ok(Growth { sampled: true, ..growth_on_torus(step, decided)? });
     }
     let chi = primitive_characteristic(step)?;
     let terms = difference_terms(&chi);
@@ -178,7 +181,7 @@ pub(super) fn growth_of(wave: Wave, (excess, y): &(Float, ComplexFloat)) -> Grow
     let per_step = growth.to_f64();
     let logarithm = if per_step.abs() < 0.5 { per_step.ln_1p() } else { modulus.ln() };
     let multiplier = (y + &ComplexFloat::real(one)).to_c64();
-    Growth { per_step, logarithm, wave, multiplier }
+    Growth { per_step, logarithm, wave, multiplier, sampled: false }
 }
 
 /// A wave for which the leading coefficient vanishes.

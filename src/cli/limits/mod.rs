@@ -268,8 +268,8 @@ fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
             .map(|one| SingularRecord {
                 value: one.value,
                 exact: one.exact.as_ref().map(to_text),
-                phase: one.phase,
-                reason: one.phase.is_none().then_some("no wave can be stepped"),
+                phase: one.wave.as_ref().map(Phases::of),
+                reason: one.wave.is_none().then_some("no wave can be stepped"),
             })
             .collect(),
         growth_limits: answer

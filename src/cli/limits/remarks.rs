@@ -2,7 +2,7 @@
 
 use super::Answer;
 use crate::cli::limit_text;
-use crate::cli::subject::assumptions;
+use crate::cli::subject::{Kind, assumptions};
 use courant::analysis::exact::rational::{decimal_below, integer, ratio, to_text};
 use courant::analysis::stability::{Evidence, Refinement};
 use courant::reports::number::significant;
@@ -87,7 +87,11 @@ pub(super) fn remarks(
         }
         if let (Some(binding), true) = (limit.binding(), limit.upper().is_finite()) {
             if binding.whatever_the_step {
-                add("some wave is unstable whatever the step: its restoring force has the wrong sign".into());
+                let force = match answer.subject.kind {
+                    Kind::Method => ": its restoring force has the wrong sign",
+                    _ => "",
+                };
+                add(format!("some wave is unstable whatever the step{force}"));
             } else if !limit.is_included() && limit.is_positive() && decided {
                 // Named where there is one row to name it for.
                 let wave = match limit.critical_wave() {
@@ -166,10 +170,10 @@ pub(super) fn remarks(
         }
         for singular in &answer.singular {
             let exact = singular.exact.as_ref().map_or(singular.value.to_string(), to_text);
-            let wave = match singular.phase {
+            let wave = match &singular.wave {
                 None => "any wave".into(),
-                Some(0.0) => "the longest wave".into(),
-                Some(phase) => format!("the wave of {} Δ", limit_text::length(phase)),
+                Some(wave) if wave.wavelength().is_infinite() => "the longest wave".into(),
+                Some(wave) => format!("the wave of {}", limit_text::wave_words(wave)),
             };
             add(format!("singular at {symbol} = {exact}: the step cannot be solved for {wave}"));
         }

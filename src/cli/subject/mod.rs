@@ -481,10 +481,14 @@ pub fn row_name(labels: &[Label], varying: &[String]) -> String {
     told.map(text).collect::<Vec<_>>().join(", ")
 }
 
-/// What is taken for granted of particle methods: one line, none for schemes.
-pub fn assumptions<'a>(subjects: impl Iterator<Item = &'a Subject>) -> Vec<String> {
+/// What is taken for granted of particle methods and not looked at in several dimensions: a line each, none for schemes of one dimension.
+pub fn assumptions<'a>(subjects: impl Iterator<Item = &'a Subject> + Clone) -> Vec<String> {
+    let plane = subjects.clone().any(|one| one.file.is_of_several_dimensions());
+    let plane = plane.then(|| {
+        "two and three dimensions: multipliers that meet are looked for at phases that are multiples of π/2 and at the wave that binds, singular steps at phases 0 and π".to_string()
+    });
     let methods: Vec<&Subject> = subjects.filter(|one| one.kind == Kind::Method).collect();
-    let Some(first) = methods.first() else { return Vec::new() };
+    let Some(first) = methods.first() else { return plane.into_iter().collect() };
     let shared = |text: Option<String>, same: &dyn Fn(&Subject) -> bool| {
         text.filter(|_| methods.iter().all(|one| same(one))).unwrap_or_default()
     };

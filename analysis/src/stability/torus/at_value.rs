@@ -1,10 +1,12 @@
 //! Stable or not at one value of the parameter, in two and three dimensions.
 
+use super::search::Search;
 use super::{TorusDemands, TorusInequality};
-use crate::exact::rational::Rational;
+use crate::exact::rational::{Rational, integer};
+use crate::exact::real_roots::power_of_two;
 use crate::exact::tensor::{CubeSign, sign_on_cube};
 use crate::stability::{PointVerdict, Wave};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Boxes that one condition may take on one cell.
 const MOST_BOXES: usize = 20_000;
@@ -22,7 +24,21 @@ pub(crate) fn decide_on_torus(inequalities: &[TorusInequality]) -> PointVerdict<
     verdict
 }
 
+/// How near is "about" a value: this power of one half of it.
+const ABOUT: i64 = 30;
+
 impl TorusDemands {
+    /// Whether all waves meet the conditions at a positive value and a little to both sides of it: proved.
+    pub(crate) fn are_met_about(&self, value: &Rational, budget: usize) -> bool {
+        let at = |side: i64| {
+            let share = Rational::one() + power_of_two(-ABOUT) * integer(side);
+            (value * share).pow(self.stride as i32)
+        };
+        let (below, above) = (at(-1), at(1));
+        let mut search = Search::without_guesses(&self.inequalities, above.clone(), budget);
+        search.is_stable(&below, &above).is_ok()
+    }
+
     /// The conditions at a value of the parameter; `None` where they say less about it than about its neighbours: one vanishes for every wave,
     /// or may have been divided by a square that does.
     pub(crate) fn at(&self, value: &Rational) -> Option<Vec<TorusInequality>> {

@@ -86,6 +86,15 @@ impl<'a> Search<'a> {
         Self { inequalities, guesses, end, bits, budget, spent, most, work: Work::default() }
     }
 
+    /// For decisions alone, with no idea where stability may end.
+    pub(super) fn without_guesses(
+        inequalities: &'a [TorusInequality],
+        end: Rational,
+        budget: usize,
+    ) -> Self {
+        Self { inequalities, ..Self::new(&[], end, 0, budget) }
+    }
+
     /// [`is_stable`](Self::is_stable) with few boxes: at an exact limit whose wave is no corner of a cube they would be halved without end.
     pub(super) fn is_easily_stable(&mut self, from: &Rational, to: &Rational) -> bool {
         let most = self.most;
@@ -176,16 +185,7 @@ impl<'a> Search<'a> {
             ..one.clone()
         };
         let inequalities: Vec<TorusInequality> = self.inequalities.iter().map(reversed).collect();
-        let mut mirrored = Search {
-            inequalities: &inequalities,
-            guesses: Guesses::new(&[], 0.0),
-            end: self.end.recip(),
-            bits: self.bits,
-            budget: self.budget,
-            spent: 0,
-            most: MOST_BOXES_IN_ALL.min(self.budget),
-            work: Work::default(),
-        };
+        let mut mirrored = Search::without_guesses(&inequalities, self.end.recip(), self.budget);
         let end = mirrored.end.clone();
         let stable = mirrored.is_stable(&Rational::zero(), &end).is_ok();
         self.work += mirrored.work;
