@@ -109,7 +109,9 @@ fn map_single() -> Result<Figure, FigureError> {
         .layer(FilledContours::new(field.clone(), bands.clone()))
         .layer(Isolines::new(field, [-1.0, 0.0, 1.0]).color(Color::WHITE))
         .layer(
-            Region::between(&x, &lower, &[f64::INFINITY; 200])
+            Region::polygon(
+                x.iter().copied().zip(lower.iter().copied()).chain([(1e2, f64::INFINITY), (1e-2, f64::INFINITY)]),
+            )
                 .hatch(Color::WHITE)
                 .label("unstable"),
         )

@@ -121,7 +121,8 @@ pub(super) struct AxisRange {
     high: f64,
     ends: [f64; 2],
     pub(super) ticks: Vec<(f64, String)>,
-    minor: Vec<f64>,
+    /// Ticks without numbers.
+    pub(super) minor: Vec<f64>,
 }
 
 impl AxisRange {
@@ -145,8 +146,17 @@ impl AxisRange {
         self
     }
 
-    fn linear_ticks(&self, most: usize) -> Vec<(f64, String)> {
+    fn linear_ticks(&mut self, most: usize) -> Vec<(f64, String)> {
         let values = RangedCoordf64::from(self.low..self.high).key_points(BoldPoints(most));
+        if let [first, second, ..] = values[..] {
+            // Steps of two are parted in four, others in five.
+            let step = second - first;
+            let digit = step / 10f64.powf(step.log10().floor());
+            let parts = if (1.5..2.2).contains(&digit) { 4 } else { 5 };
+            let between = (-parts..parts * (values.len() as i32 + 1)).filter(|j| j % parts != 0);
+            let minor = between.map(|j| first + step * f64::from(j) / f64::from(parts));
+            self.minor = minor.filter(|v| (0.0..=1.0).contains(&self.fraction(*v))).collect();
+        }
         let labels = format_numbers(&values);
         values.into_iter().zip(labels).collect()
     }
@@ -195,9 +205,10 @@ impl Ranged for AxisRange {
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        match hint.weight().allow_light_points() {
-            true => self.minor.clone(),
-            false => self.ticks.iter().map(|tick| tick.0).collect(),
+        match (hint.weight().allow_light_points(), self.axis.scale) {
+            (false, _) => self.ticks.iter().map(|tick| tick.0).collect(),
+            (true, Scale::Log10) => self.minor.clone(),
+            (true, Scale::Linear) => Vec::new(),
         }
     }
 

@@ -17,7 +17,7 @@ use super::{
 /// Points of curves closer than this to their neighbours' chord are left out: 0.01 point.
 const TOLERANCE: f64 = 0.01 * POINT;
 /// Distance of hatch strokes in points, and their width.
-const HATCH: (f64, f64) = (4.5, 0.45);
+const HATCH: (f64, f64) = (6.5, 0.35);
 const ISOLINE_SIZE: f64 = 6.8;
 const NOTE_SIZE: f64 = 7.5;
 
@@ -30,11 +30,11 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    fn x_at(&self, x: f64) -> f64 {
+    pub(super) fn x_at(&self, x: f64) -> f64 {
         self.rect.left + self.x.fraction(x) * self.rect.width()
     }
 
-    fn y_at(&self, y: f64) -> f64 {
+    pub(super) fn y_at(&self, y: f64) -> f64 {
         self.rect.bottom - self.y.fraction(y) * self.rect.height()
     }
 

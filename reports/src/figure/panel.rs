@@ -220,9 +220,19 @@ impl Resolved<'_> {
         let rect = Rect { left, top, right, bottom };
         let coordinates = chart.as_coord_spec();
         let (x, y) = (coordinates.x_spec().clone(), coordinates.y_spec().clone());
-        canvas.draw(&paint::layers(&Frame { rect, x, y }, &self.panel.layers))?;
+        let frame = Frame { rect, x, y };
+        canvas.draw(&paint::layers(&frame, &self.panel.layers))?;
         let mut border = Picture::default();
         border.outline(&rect.corners(), Pen::solid(Color::BLACK, FRAME_WIDTH));
+        // Plotters marks only what has a number.
+        let mut mark =
+            |from: Point, to: Point| border.stroke(&[from, to], Pen::solid(Color::BLACK, 0.5));
+        for x in frame.x.minor.iter().map(|&v| frame.x_at(v)) {
+            mark([x, bottom], [x, bottom + 0.6 * TICK]);
+        }
+        for y in frame.y.minor.iter().map(|&v| frame.y_at(v)) {
+            mark([left, y], [left - 0.6 * TICK, y]);
+        }
         canvas.draw(&border)?;
         let above = (units(0.5 * (left + right)), units(top - 0.3 * TITLE_SIZE * POINT));
         canvas.draw_text(&self.panel.title, &text(TITLE_SIZE), above)?;

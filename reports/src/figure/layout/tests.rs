@@ -29,7 +29,7 @@ fn rich() -> Figure {
     let lines = Panel::new(Axis::log("κ h"), Axis::log("|g| − 1"))
         .title("(b) lines")
         .layer(
-            Region::between(&x, &x, &[f64::INFINITY; 3])
+            Region::polygon([(0.01, 0.01), (1.0, 1.0), (1.0, f64::INFINITY), (0.01, f64::INFINITY)])
                 .fill(Color::SKY, 0.3)
                 .hatch(Color::BLUE)
                 .label("unstable"),
