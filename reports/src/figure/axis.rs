@@ -188,6 +188,8 @@ impl AxisRange {
         });
         match shown {
             Some(values) => {
+                self.minor = among(&[1, 2, 3, 4, 5, 6, 7, 8, 9]);
+                self.minor.retain(|v| !values.contains(v));
                 let label = |v: f64| super::number::format_number(v);
                 values.into_iter().map(|v| (v, label(v))).collect()
             }

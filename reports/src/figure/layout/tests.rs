@@ -29,10 +29,15 @@ fn rich() -> Figure {
     let lines = Panel::new(Axis::log("κ h"), Axis::log("|g| − 1"))
         .title("(b) lines")
         .layer(
-            Region::polygon([(0.01, 0.01), (1.0, 1.0), (1.0, f64::INFINITY), (0.01, f64::INFINITY)])
-                .fill(Color::SKY, 0.3)
-                .hatch(Color::BLUE)
-                .label("unstable"),
+            Region::polygon([
+                (0.01, 0.01),
+                (1.0, 1.0),
+                (1.0, f64::INFINITY),
+                (0.01, f64::INFINITY),
+            ])
+            .fill(Color::SKY, 0.3)
+            .hatch(Color::BLUE)
+            .label("unstable"),
         )
         .layer(Line::xy(&x, &[1e-9, f64::NAN, 1.0]).label("run"))
         .layers((0..6).map(|k| Markers::new([(0.1, 0.1)], Marker::nth(k)).label("run")))
