@@ -138,6 +138,8 @@ impl Trace<'_> {
             }
         });
         let mut rings = self.join(pieces, level);
+        // Where the level only touches a node a ring is no more than a point.
+        rings.retain(|ring| ring.len() > 3);
         for ring in &mut rings {
             ring.pop();
         }

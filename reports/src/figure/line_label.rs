@@ -84,7 +84,7 @@ impl Obstacles {
                 && self.labels.iter().all(apart)
                 && distance(a, b) >= 0.85 * gap
                 && bend <= 0.3 * size
-                && self.nearest_curve(a, b) > 0.8 * size;
+                && self.nearest_curve(a, b) > size;
             clear.then_some((bend / size + 0.25 * (t - 0.5).abs(), start))
         };
         let (_, start) = (0..TRIALS).filter_map(cost).min_by(|a, b| a.0.total_cmp(&b.0))?;

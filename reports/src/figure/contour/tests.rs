@@ -112,6 +112,15 @@ fn blank_cells_leave_holes() {
 }
 
 #[test]
+fn a_peak_that_reaches_the_level_has_no_region() {
+    let mut values = Array2::zeros((5, 5));
+    values[[2, 2]] = 1.0;
+    let field = Field::new(nodes(5, 0.0, 4.0), nodes(5, 0.0, 4.0), values).unwrap();
+    assert!(field.region_at_least(1.0).is_empty());
+    assert_eq!(field.region_at_least(1f64.next_down()).len(), 1);
+}
+
+#[test]
 fn wrong_fields_are_errors() {
     let values = Array2::<f64>::zeros((2, 3));
     let (two, three) = (vec![0.0, 1.0], vec![0.0, 1.0, 2.0]);
