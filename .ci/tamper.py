@@ -1,7 +1,7 @@
 """Changes one place of a certificate at a time: python3 .ci/tamper.py FILE.json ... [--program PATH]
 
-Takes the shortest certificate of each kind, proved and enclosed, stability and monotonicity; the files must have
-all four. At least one of the two checkers in docs has to refuse every change, or what is left must prove the same: an
+Takes the shortest certificate of each kind: of a line, proved and enclosed, stability and monotonicity; of a torus, with
+a wave of its own and with a direction of long waves. The files must have all six. At least one of the two checkers in docs has to refuse every change, or what is left must prove the same: an
 interval may be covered in another way. Then everything malformed (analysis/src/certificate/malformed.json) has to be
 refused for its form or its content by the checkers, and by `PATH verify` if a program is given.
 """
@@ -25,7 +25,7 @@ def other_texts(text):
     try:
         number = Fraction(text)
     except ValueError:
-        return [text + "0", text.replace("+", "-", 1), text.replace("u", "w", 1), ""]
+        return [text + "0", text.replace("+", "-", 1), text.replace("u", "w", 1), "", text[:-1], text[::-1], text + "."]
     unreduced = f"{2 * number.numerator}/{2 * number.denominator}"
     return [str(number + 1), str(number - 1), str(-number), unreduced, "0/0", "+" + text]
 
@@ -76,17 +76,22 @@ def shortest_of_each_kind(paths):
     shortest = {}
     for path in paths:
         for certificate in json.loads(pathlib.Path(path).read_text())["certificates"]:
-            rows = [row for one in certificate["inequalities"] for row in one["margin"]["coefficients"]]
-            if certificate["question"] == "stability" and min(map(len, rows)) < 2:
-                continue  # no wave to speak of
             kind = f"{certificate['evidence']} {certificate['question']}"
+            (where, proof), = certificate["proof"].items()
+            if where == "torus":
+                kind += " on a torus" + (", long waves" if proof["above"]["wave"]["way"] else "")
+            elif certificate["question"] == "stability":
+                rows = [row for one in proof["inequalities"] for row in one["margin"]["coefficients"]]
+                if min(map(len, rows)) < 2:
+                    continue  # no wave to speak of
             known = shortest.get(kind, certificate)
             shortest[kind] = min(certificate, known, key=lambda each: len(json.dumps(each)))
     return shortest
 
 
-def malformed(certificate):
+def malformed(line, torus):
     for change in json.loads((ROOT / "analysis/src/certificate/malformed.json").read_text()):
+        certificate = torus if change["path"][1:2] == ["torus"] else line
         changed = copy.deepcopy(certificate)
         *path, last = change["path"]
         place = changed
@@ -94,7 +99,7 @@ def malformed(certificate):
             place = place[key]
         long = "repeated" in change  # parts of a long text, each with how often it stands there
         place[last] = "".join(part*times for part, times in change["repeated"]) if long else change["value"]
-        yield change["name"], changed
+        yield change["name"], certificate, changed
 
 
 def refused_by(program, certificate):
@@ -111,7 +116,7 @@ if "--program" in arguments:
     program = arguments[place + 1]
     del arguments[place:place + 2]
 certificates = shortest_of_each_kind(arguments)
-if len(certificates) < 4:
+if len(certificates) < 6:
     sys.exit(f"only {', '.join(certificates)}")
 passed = False
 for kind, certificate in certificates.items():
@@ -124,10 +129,10 @@ for kind, certificate in certificates.items():
             passed = True
             print(f"{kind}: a change at {place} passes")
     print(f"{kind}: {count} changes")
-certificate, count = certificates["proved stability"], 0
-if program and refused_by(program, certificate):
+valid, count = [certificates[f"proved stability{kind}"] for kind in ("", " on a torus, long waves")], 0
+if program and any(refused_by(program, certificate) for certificate in valid):
     sys.exit("refused by the program as it is")
-for name, changed in malformed(certificate):
+for name, certificate, changed in malformed(*valid):
     count += 1
     if json.dumps(changed) == json.dumps(certificate):
         sys.exit(f"malformed: {name} changes nothing")

@@ -9,7 +9,7 @@ import re
 import sys
 from fractions import Fraction
 
-SCHEMA = "courant.certificate/2"
+SCHEMA = "courant.certificate/3"
 sys.set_int_max_str_digits(0)
 
 
@@ -85,15 +85,43 @@ def integrator(value):
         "multistep": record(alpha=row, beta=row),
         "nystrom": record(c=row, position=table, velocity=table, position_weights=row, velocity_weights=row),
     }
-    check(isinstance(value, dict) and len(value) == 1 and set(value) < set(kinds), "there is no such integrator")
-    for kind, entries in value.items():
-        kinds[kind](entries)
+    one_of(**kinds)(value)
+
+
+def one_of(**kinds):
+    def shape(value):
+        check(isinstance(value, dict) and len(value) == 1 and set(value) < {*kinds, ""}, "another kind is expected")
+        for kind, entry in value.items():
+            kinds[kind](entry)
+    return shape
+
+
+def multiple(value):
+    check(type(value) is int and abs(value) <= 1000, f"{value!r} is no multiple")
 
 
 WAVE = record(inequality=count, s=rational, value=rational)
 MARGIN = record(
     phase_power=count, complement_power=count, neutral_waves=many(rational, 1000), courant_power=count, stride=count,
     denominator=rational, coefficients=many(many(rational, 1000), 1000), radius=many(rational, 1000))
+LINE = record(
+    inequalities=many(record(
+        level=count, condition=text(most=40), square=many(many(rational, 1000), 1000), weight=many(rational, 1000),
+        margin=MARGIN), 2000),
+    below=optional(WAVE),
+    covers=many(record(begin=rational, pieces=many(record(end=end, waves=many(rational))))),
+    above=optional(record(s=rational, wave=WAVE)))
+POINT = record(
+    wave=record(inequality=count, cube=text(most=3), way=text(most=400), point=many(rational, 3)), value=rational)
+TORUS = record(
+    stride=count,
+    inequalities=many(record(
+        level=count, condition=text(most=40), square=text(),
+        margin=many(record(power=count, k=many(multiple, 3), value=rational)),
+        cells=many(record(
+            cube=text(most=3), begin=rational,
+            pieces=many(record(end=end, cuts=many(text(most=200_000), 1000)))), 64)), 2000),
+    below=optional(POINT), above=optional(POINT))
 CERTIFICATE = record(
     subject=record(
         equations=text(),
@@ -101,13 +129,8 @@ CERTIFICATE = record(
         integrator=optional(integrator), values=named, parameter=text(most=200)),
     question=text("stability", "monotonicity"), growth=rational, evidence=text("proved", "enclosed"),
     levels=many(record(rule=text("jury", "schur-cohn"), split=optional(record(inside=text(), circle=text()))), 64),
-    inequalities=many(record(
-        level=count, condition=text(most=40), square=many(many(rational, 1000), 1000), weight=many(rational, 1000),
-        margin=MARGIN), 2000),
     interval=record(begin=end, lower=end, upper=optional(end)),
-    below=optional(WAVE),
-    covers=many(record(begin=rational, pieces=many(record(end=end, waves=many(rational))))),
-    above=optional(record(s=rational, wave=WAVE)))
+    proof=one_of(line=LINE, torus=TORUS))
 
 
 def read(path):

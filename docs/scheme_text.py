@@ -1,8 +1,8 @@
-"""From the text of a scheme to linear equations, for verify_coefficients.py: a parser of the language in one dimension
-(docs/language.md), polynomials, kernel weights.
+"""From the text of a scheme to linear equations, for verify_coefficients.py: a parser of the language (docs/language.md),
+polynomials, kernel weights.
 
-A polynomial is a dictionary {(z, E, C, letters): coefficient} of powers of the time shift z, of the shift E by one
-cell and of the sought parameter C. A letter stands for a number or an even function of the wave that is no fraction:
+A polynomial is a dictionary {(z, E, C, letters): coefficient} of powers of the time shift z, of the shifts E by one
+cell and of the sought parameter C. The powers of the shifts along two or three axes are one number, `packed`. A letter stands for a number or an even function of the wave that is no fraction:
 sqrt(2), a sum of Gaussian weights. `letters` is a tuple of pairs (number of the letter, power).
 """
 import re
@@ -13,6 +13,21 @@ from certificate_form import check
 
 BITS = 320  # letters are known to so many binary digits, within a few units
 ONE = 1 << BITS
+
+ROOM = 1 << 40  # powers of E are far below
+
+
+def packed(shifts):
+    """Powers of the shifts along the axes as one number: sums, multiples and opposites are those of the powers."""
+    return sum(e * ROOM**axis for axis, e in enumerate(shifts))
+
+
+def unpacked(e):
+    shifts = []
+    for _ in range(3):
+        shifts.append((e + ROOM//2) % ROOM - ROOM//2)
+        e = (e - shifts[-1]) // ROOM
+    return shifts
 
 
 class Poly(dict):
@@ -370,12 +385,13 @@ def plus(a, b):
 
 class Reader:
     """Evaluates trees to {(place, function): fraction}. A place is None for numbers, else (unknown, time, space,
-    derivative, multiple of the running index), with times and spaces in halves; a function is None or the values of
+    derivative, multiple of the running index along the first axis), with times and spaces in halves; a function is None or the values of
     something that depends on the running index k = 1, 2, .., each with its error."""
 
     def __init__(self, parameter, values, lattice, wave):
         self.values, self.lattice, self.wave, self.unknowns = values, lattice, wave, []
         self.names = {parameter: Poly({(0, 0, 1, ()): 1})} if parameter else {}
+        self.dimension = None
 
     def number(self, poly):
         return {(None, None): (poly, number(1))}
@@ -390,7 +406,7 @@ class Reader:
             check(set(exponent) <= {""}, "an exponent is no number")
             exponent = whole(exponent.get("", 0), 100)
             base = self.inverse(a) if exponent < 0 else a
-            check(self.size(base) * abs(exponent) < 10**6, "a power is too large")
+            check(max(self.size(base), 10*self.reach(base)) * abs(exponent) < 10**6, "a power is too large")
             power = self.number(number(1))
             for _ in range(abs(exponent)):
                 power = self.product(power, base)
@@ -406,6 +422,12 @@ class Reader:
     def size(value):
         return sum(Fraction(c).numerator.bit_length() + Fraction(c).denominator.bit_length()
                    for pair in value.values() for poly in pair for c in poly.values())
+
+    @staticmethod
+    def reach(value):
+        """The largest power of z, of a shift or of the parameter."""
+        return max((abs(power) for pair in value.values() for poly in pair for z, e, c, _ in poly
+                    for power in (z, *unpacked(e), c)), default=0)
 
     @staticmethod
     def total(more, sign, start):
@@ -495,14 +517,20 @@ class Reader:
             time, *items = items
             check(set(time) <= {"n", ""} and time["n"] == 1, "a time index is not understood")
             time = whole(2*time.get("", 0), 2000)
-        check(len(items) == 1, "one space index is expected")
-        space = items[0]
-        check(set(space) <= {"j", "", index} and space.get("j") == 1, "a space index is not understood")
+        check(1 <= len(items) <= 3, "one, two or three space indices are expected")
+        axes = ["j", "ij", "ijk"][len(items) - 1]
+        self.dimension = self.dimension or len(items)
+        check(self.dimension == len(items), "all unknowns have as many space indices")
+        check(index is None or index not in axes, "a running index is an axis")
+        for item, axis in zip(items, axes):
+            known = {axis, "", index} if axis == axes[0] else {axis, ""}
+            check(set(item) <= known and item.get(axis) == 1, "a space index is not understood")
         check(time is None or not prime, "a time derivative has no time index")
         if name not in self.unknowns:
             self.unknowns.append(name)
-        multiple = whole(space.get(index, 0), 1) if index else 0
-        place = self.unknowns.index(name), time, whole(2*space.get("", 0), 2000), prime, multiple
+        multiple = whole(items[0].get(index, 0), 1) if index else 0
+        space = tuple(whole(2*item.get("", 0), 2000) for item in items)
+        place = self.unknowns.index(name), time, space, prime, multiple
         return {(place, None): (number(1), number(1))}
 
     def read_sum(self, body, index, outer):
@@ -512,7 +540,7 @@ class Reader:
             function = function or ((Fraction(1), Fraction(0)),) * self.lattice.reach
             *base, multiple = place or (None, 0)
             for step, share in self.shares(function, multiple):
-                at = None if place is None else (base[0], base[1], base[2] + 2*step, base[3], 0)
+                at = None if place is None else (*base[:2], (base[2][0] + 2*step, *base[2][1:]), base[3], 0)
                 share = {(at, None): (fraction[0]*share, fraction[1])} if share else {}
                 result = self.total(share, 1, result)
         return result

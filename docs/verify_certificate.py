@@ -5,6 +5,7 @@ from fractions import Fraction as F
 from math import lcm
 
 from certificate_form import CERTIFICATE, check, main
+from cubes import Margin
 
 
 def value(p, x):
@@ -90,8 +91,78 @@ class Inequality:
         return courant**2
 
 
+class Line:
+    """Functions of one phase."""
+
+    def __init__(self, stated):
+        self.stated, self.inequalities = stated, list(map(Inequality, stated["inequalities"]))
+
+    def covers(self, nothing):
+        covers = self.stated["covers"]
+        check(len(covers) == (0 if nothing else len(self.inequalities)), "a cover for each inequality")
+        return [inequality.holds(cover) for inequality, cover in zip(self.inequalities, covers)]
+
+    def of(self, wave):
+        check(wave["inequality"] < len(self.inequalities), "there is no such inequality")
+        return self.inequalities[wave["inequality"]]
+
+    def below(self, wave):  # the square of the value
+        return self.of(wave).grows(wave)
+
+    def above(self, claim, upper):
+        wave, s = claim["wave"], F(claim["s"])
+        inequality = self.of(wave)
+        check(0 <= s <= 1, "there is no such wave")
+        grows_throughout(inequality.at(s), upper, F(wave["value"]), inequality.stride)
+        return inequality.grows(wave)
+
+
+class Torus:
+    """Functions of several phases."""
+
+    def __init__(self, stated):
+        self.stated, self.stride = stated, stated["stride"]
+        check(self.stride in (1, 2), "no stride")
+        self.margins = [Margin(one, self.stride) for one in stated["inequalities"]]
+
+    def covers(self, nothing):
+        found = []
+        for margin, one in zip(self.margins, self.stated["inequalities"]):
+            check(not nothing or not one["cells"], "an interval of nothing is covered")
+            if not nothing:
+                margin.covers_all_waves([cell["cube"] for cell in one["cells"]])
+                found += map(margin.holds, one["cells"])
+        return found
+
+    def at(self, wave):
+        check(wave["inequality"] < len(self.margins), "there is no such inequality")
+        return self.margins[wave["inequality"]].at(wave)
+
+    def below(self, grows):
+        courant = F(grows["value"])
+        check(courant > 0 > value(self.at(grows["wave"]), courant**self.stride), "no growing wave")
+        return courant**2
+
+    def above(self, grows, upper):
+        courant = F(grows["value"])
+        check(courant > 0, "no growing wave")
+        grows_throughout(self.at(grows["wave"]), upper, courant, self.stride)
+        return courant**2
+
+
+def grows_throughout(p, upper, courant, stride):
+    """A polynomial in t = C^stride is negative from an end to a value."""
+    check(stride == 2 or not upper.startswith("sqrt"), "t is no fraction")
+    t = square(upper) if stride == 2 else F(upper)
+    check(t < courant**stride, "not just above the limit")
+    common = lcm(*(F(x).denominator for x in p))
+    signs = bernstein([int(x*common) for x in p], t, courant**stride)
+    check(max(signs) <= 0 > min(signs), "the wave does not grow throughout")
+
+
 def verify(certificate):
-    inequalities = list(map(Inequality, certificate["inequalities"]))
+    (kind, stated), = certificate["proof"].items()
+    proof = {"line": Line, "torus": Torus}[kind](stated)
     interval = certificate["interval"]
     growth, begin = F(certificate["growth"]), square(interval["begin"])
     forever, upper = interval["lower"] == "inf", interval["upper"]
@@ -99,30 +170,21 @@ def verify(certificate):
     check(growth >= 0 and "-" not in interval["begin"] + interval["lower"] + (upper or ""), "a negative number")
     check(forever or begin < lower or begin == lower == 0, "the interval ends before it begins")
     # Stable in between.
-    check(len(certificate["covers"]) == (0 if lower == 0 else len(inequalities)), "a cover for each inequality")
-    for inequality, cover in zip(inequalities, certificate["covers"]):
-        low, high = inequality.holds(cover)
+    for low, high in proof.covers(lower == 0):
         check(low <= begin and (high is None or not forever and lower <= high), "an interval is not covered")
     # Not stable just below.
-    below, above = certificate["below"], certificate["above"]
+    below, above = stated["below"], stated["above"]
     check((below is None) == (begin == 0) and (above is None) == (upper is None), "an end comes with a reason")
     if below is not None:
-        check(below["inequality"] < len(inequalities), "there is no such inequality")
-        gap = begin - inequalities[below["inequality"]].grows(below)
+        gap = begin - proof.below(below)
         check(0 < gap * 2**16 <= begin, "not just below the interval")
     # Not stable just above.
     if above is not None:
         check(not forever and upper != "inf", "above what?")
-        end, wave, s = square(upper), above["wave"], F(above["s"])
+        end = square(upper)
         check(lower <= end and (end - lower) * 2**18 <= lower, "the ends of the limit are far apart")
-        check(wave["inequality"] < len(inequalities) and 0 <= s <= 1, "there is no such wave")
-        inequality = inequalities[wave["inequality"]]
-        gap = inequality.grows(wave) - end
+        gap = proof.above(above, upper) - end
         check(0 < gap * 2**16 <= (end or 1), "not just above the limit")
-        check(inequality.stride == 2 or not upper.startswith("sqrt"), "t is no fraction")
-        t = end if inequality.stride == 2 else F(upper)
-        signs = bernstein(inequality.at(s), t, F(wave["value"])**inequality.stride)
-        check(max(signs) <= 0 > min(signs), "the wave at s does not grow throughout")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Are the polynomials those of the scheme in the text? python3 verify_coefficients.py FILE.json ...
 
-A certificate states a scheme as equations, a kernel, an integrator and values, and polynomials in s = (1 - cos phi)/2
-and the sought parameter C that must not be negative. Here these are derived again: the equations are read
+A certificate states a scheme as equations, a kernel, an integrator and values, and functions of the wave and the sought
+parameter C that must not be negative: polynomials in s = (1 - cos phi)/2, or cosine series in several phases. Here these are derived again: the equations are read
 (scheme_text.py), completed by the integrator, the determinant chi(z) is taken, and the conditions of Schur and Cohn or
 Jury for its roots to lie in the unit disc (or, for monotonicity, its coefficients) are held against the certificate.
 That the limits follow is for verify_certificate.py to say; docs/proved.md explains both.
@@ -9,7 +9,8 @@ That the limits follow is for verify_certificate.py to say; docs/proved.md expla
 from fractions import Fraction
 
 from certificate_form import CERTIFICATE, check, main
-from scheme_text import BITS, ONE, Lattice, Letters, Parser, Poly, Reader, linear_equations, number, times, whole_row
+from scheme_text import (BITS, ONE, ROOM, Lattice, Letters, Parser, Poly, Reader, linear_equations, number, packed, times,
+                         unpacked, whole_row)
 
 Z = Poly({(1, 0, 0, ()): 1})
 
@@ -70,10 +71,10 @@ def matrix_of(rows, unknowns):
     matrix = [[Poly() for _ in unknowns] for _ in rows]
     for row, target in zip(rows, matrix):
         for (unknown, time, space, derivative), poly in row.items():
-            own = (time or 0) % 2, space % 2
+            own = (time or 0) % 2, *(halves % 2 for halves in space)
             check(parity.setdefault(unknown, own) == own, "an unknown stands at whole and at half indices")
             z = (time or 0) // 2 if time is not None else int(derivative)
-            target[unknown] = target[unknown] + poly.moved(z, space // 2)
+            target[unknown] = target[unknown] + poly.moved(z, packed(halves // 2 for halves in space))
     return matrix
 
 
@@ -193,7 +194,7 @@ def complete(matrix, unknowns, integrator):
 
 
 def characteristic(subject, wave):
-    """chi(z) = [coefficient of z^0, ...] of the scheme."""
+    """chi(z) = [coefficient of z^0, ...] of the scheme, and the number of axes."""
     Letters.all, Letters.known = [], {}
     lattice = subject["kernel"] and Lattice(subject["kernel"])
     values = {name: Fraction(value) for name, value in subject["values"].items()}
@@ -209,7 +210,7 @@ def characteristic(subject, wave):
     check(chi, "the determinant vanishes")
     coefficients = chi.primitive().moved(-min(z for z, *_ in chi)).by_z()
     check(len(coefficients) > 1, "nothing is advanced in time")
-    return coefficients
+    return coefficients, reader.dimension
 
 
 # Conditions: [(level, name, polynomial)].
@@ -230,15 +231,19 @@ def product(p, q):
     return result
 
 
-def polynomial_in_z(text, parameter):
+def polynomial_in_z(text, parameter, dimension):
     reader = Reader(parameter, {}, None, True)
-    reader.names.update(z=Z, E=Poly({(0, 1, 0, ()): 1}))
+    names = ["E"] if dimension == 1 else [f"E_{axis + 1}" for axis in range(dimension)]
+    reader.names.update({name: Poly({(0, ROOM**axis, 0, ()): 1}) for axis, name in enumerate(names)}, z=Z)
     p, q = reader.evaluate(Parser(text).value()).get((None, None), (Poly(), number(1)))
-    check(p and q.is_number(), "a factor is no polynomial")
-    return p.scaled(1 / Fraction(q[0, 0, 0, ()])).without_denominators()[0].by_z()
+    check(p and q.is_unit(), "a factor is no polynomial")
+    ((z, e, *_), q), = q.items()
+    check(z == 0 and min(z for z, *_ in p) >= 0, "a factor is no polynomial")
+    p = p.moved(0, -e)
+    return p.scaled(1 / Fraction(q)).without_denominators()[0].by_z()
 
 
-def conditions(p, certificate):
+def conditions(p, dimension, certificate):
     """Where they are not negative, and none vanishes identically, all roots lie in the closed disc."""
     growth, level = Fraction(certificate["growth"]) + 1, 0
     degree = len(p) - 1
@@ -247,7 +252,8 @@ def conditions(p, certificate):
         check(level < len(certificate["levels"]), "a level is missing")
         stated = certificate["levels"][level]
         if stated["split"]:
-            inside, circle = (polynomial_in_z(stated["split"][part], certificate["subject"]["parameter"]) for part in ("inside", "circle"))
+            inside, circle = (polynomial_in_z(stated["split"][part], certificate["subject"]["parameter"], dimension)
+                              for part in ("inside", "circle"))
             check(proportional(p, product(inside, circle)), "the factors do not multiply to chi")
             check(proportional(circle, reversed_conjugate(circle)), "a factor is not self-inversive")
         elif proportional(p, reversed_conjugate(p)):
@@ -288,9 +294,9 @@ def determinant_whole(matrix):
 
 def jury(a):
     degree, leading = len(a) - 1, a[-1]
-    low, high = (end(e for _, e, *_ in leading) for end in (min, max))
-    check((low + high) % 2 == 0, "the coefficients are not real")
-    a = [coefficient.moved(0, -(low + high)//2) for coefficient in a]
+    low, high = ([end(axis) for axis in zip(*(unpacked(e) for _, e, *_ in leading))] for end in (min, max))
+    check(all((x + y) % 2 == 0 for x, y in zip(low, high)), "the coefficients are not real")
+    a = [coefficient.moved(0, -packed((x + y)//2 for x, y in zip(low, high))) for coefficient in a]
     check(all(coefficient == coefficient.conjugate() for coefficient in a), "the coefficients are not real")
     leading = a[-1]
     for name, sign in (("plus-one", 1), ("minus-one", -1)):
@@ -312,15 +318,15 @@ def jury(a):
             yield f"inner-{len(inner)}{'+' if sign == 1 else '-'}", value*leading if len(inner) % 2 else value
 
 
-def coefficients(p):
+def coefficients(p, dimension):
     """Of an explicit step for one unknown between two levels, by offset."""
     check(len(p) == 2 and p[1].is_unit(), "not explicit, or not of one level")
     (_, shift, *_), unit = next(iter(p[1].items()))  # its size is the same positive factor for all
     by_offset = {}
     for (_, e, c, letters), value in p[0].items():
         by_offset.setdefault(e - shift, Poly())[0, 0, c, letters] = -value if unit > 0 else value
-    for offset in sorted(by_offset):
-        yield 0, f"coefficient {offset}", by_offset[offset]
+    for offset in sorted(by_offset, key=unpacked):
+        yield 0, f"coefficient {','.join(map(str, unpacked(offset)[:dimension]))}", by_offset[offset]
 
 
 # Comparison with the polynomials stated.
@@ -362,6 +368,7 @@ def in_powers_of_e(row):
 def groups_of(poly):
     """Symmetric series of whole numbers or fractions by power of C and letters."""
     groups, reach = {}, max((abs(e) for _, e, *_ in poly), default=0)
+    check(reach <= 10**6, "a function of several phases")
     for (_, e, c, letters), value in poly.items():
         groups.setdefault((c, letters), [0] * (2*reach + 1))[reach + e] = value
     check(all(series == series[::-1] for series in groups.values()), "not a real function of the wave")
@@ -445,6 +452,21 @@ def compare(poly, stated):
     return False
 
 
+def compare_on_torus(poly, stated, parameter, dimension):
+    """The condition derived is |Q|^2 times the sum of value C^power cos(k phi)."""
+    check(not any(letters for *_, letters in poly), "in several dimensions numbers are fractions")
+    root, *with_z = polynomial_in_z(stated["square"], parameter, dimension)
+    check(not with_z, "a factor depends on z")
+    twice = Poly()
+    for term in stated["margin"]:
+        check(len(term["k"]) == dimension, "a wave has a phase for each axis")
+        for sign in (1, -1):
+            key = 0, sign*packed(term["k"]), term["power"], ()
+            twice = twice + Poly({key: Fraction(term["value"])})
+    check(root*root.conjugate()*twice == poly.scaled(2), "a polynomial is not that of the scheme")
+    return True
+
+
 def added(a, b):
     a, b = (a, b) if len(a) >= len(b) else (b, a)
     gap = (len(a) - len(b)) // 2
@@ -452,14 +474,16 @@ def added(a, b):
 
 
 def verify(certificate):
-    stability = certificate["question"] == "stability"
-    chi = characteristic(certificate["subject"], stability)
+    stability, subject = certificate["question"] == "stability", certificate["subject"]
+    chi, dimension = characteristic(subject, stability)
     check(stability or certificate["growth"] == "0" and not certificate["levels"], "no growth and no level here")
-    derived = list(conditions(chi, certificate) if stability else coefficients(chi))
-    stated = certificate["inequalities"]
+    derived = list(conditions(chi, dimension, certificate) if stability else coefficients(chi, dimension))
+    (kind, proof), = certificate["proof"].items()
+    stated = proof["inequalities"]
     check([(level, name) for level, name, _ in derived] == [(x["level"], x["condition"]) for x in stated],
           "the conditions are others")
-    exact = [compare(poly, each) for (_, _, poly), each in zip(derived, stated)]
+    exact = [compare(poly, each) if kind == "line" else compare_on_torus(poly, each, subject["parameter"], dimension)
+             for (_, _, poly), each in zip(derived, stated)]
     check(certificate["evidence"] == ("proved" if all(exact) else "enclosed"), "the radii give other evidence")
 
 

@@ -237,6 +237,6 @@ fn a_run_as_csv_is_its_record() {
         lines[1].split(',').nth(index).expect("as many cells as names")
     };
     // Every digit, and nothing where the record has null.
-    assert_eq!(cell("l1.value").parse().ok(), record["l1"]["value"].as_f64());
-    assert_eq!((cell("l1.density"), cell("ratio")), ("", "2"));
+    assert_eq!(cell("l1_value").parse().ok(), record["l1"]["value"].as_f64());
+    assert_eq!((cell("l1_density"), cell("ratio")), ("", "2"));
 }

@@ -6,5 +6,6 @@ pub mod certificate;
 pub mod exact;
 pub mod kernel;
 pub mod scheme;
+pub mod spelling;
 pub mod stability;
 pub mod waves;

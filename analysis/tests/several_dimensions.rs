@@ -101,3 +101,73 @@ fn budgets_for_growth_and_windows() {
     assert_eq!(set.intervals[0].from.value(), 1.0);
     assert!(set.intervals[0].to.is_unbounded());
 }
+
+/// Two Beam–Warming steps, one after the other, with Courant numbers `a C` and `b C`.
+fn beam_warming_product(a: &str, b: &str) -> Step {
+    let weights = |c: &str| {
+        [
+            format!("(1 - ({c}))*(2 - ({c}))/2"),
+            format!("({c})*(2 - ({c}))"),
+            format!("({c})*(({c}) - 1)/2"),
+        ]
+    };
+    let (x, y) = (weights(&format!("{a}*C")), weights(&format!("{b}*C")));
+    let mut text = "u[n+1,i,j] = 0*u[n,i,j]".to_string();
+    for (i, x) in x.iter().enumerate() {
+        for (j, y) in y.iter().enumerate() {
+            text += &format!(" + {x}*{y}*u[n,i-{i},j-{j}]");
+        }
+    }
+    Step::from_text(&text).unwrap()
+}
+
+#[test]
+fn a_wave_that_touches_ends_nothing() {
+    // Each factor touches |g| = 1 for all its waves at Courant number 1 and is stable to 2.
+    let plan = SearchPlan::default().up_to(ratio(8, 1));
+    let set = beam_warming_product("13/17", "10/17").stable_set("C", &plan).unwrap();
+    let limit = set.limit();
+    let touching = 17.0 / 13.0;
+    // Either the limit is found, or it says that it is not: never the touching value, proved.
+    let found = limit.evidence() == Evidence::Proved;
+    assert!(!found || (limit.value() - 34.0 / 13.0).abs() < 1e-9, "{set:?}");
+    assert!(found || limit.lower() >= 0.9 * touching, "{set:?}");
+    assert!(found || !set.undecided.is_empty());
+}
+
+#[test]
+fn directions_that_no_halving_meets() {
+    // Long waves along (1 : 3) bind at a fraction: enclosed, though no cube has them at a corner.
+    for a in ["27", "1/27", "125"] {
+        let limit = set_of("lax-wendroff-2d", &[("a", a)]).limit();
+        let a = courant_analysis::exact::rational::to_f64(
+            &courant_analysis::exact::rational::parse(a).unwrap(),
+        );
+        let expected = (1.0 + a.powf(2.0 / 3.0)).powf(-1.5);
+        assert_eq!(limit.evidence(), Evidence::Proved, "{a}: {limit:?}");
+        assert!((limit.value() / expected - 1.0).abs() < 1e-9, "{a}: {limit:?}");
+        assert!(limit.upper() / limit.lower() - 1.0 < 1e-9, "{a}: {limit:?}");
+    }
+}
+
+#[test]
+fn zeros_on_edges_that_meet_are_taken_apart() {
+    // u_t = δ_y² u − δ_x² δ_z² u: the condition has the factor s_y + 4 s_x s_z, which vanishes on two edges of the cube.
+    let d = |f: &str| {
+        let [i, j, k] = if f == "x" { ["i+1", "i", "i-1"] } else { ["k+1", "k", "k-1"] };
+        [i, j, k]
+    };
+    let (x, z) = (d("x"), d("z"));
+    let mut mixed = String::new();
+    for (p, i) in [1, -2, 1].iter().zip(x) {
+        for (q, k) in [1, -2, 1].iter().zip(z) {
+            mixed += &format!(" + ({})*u[n,{i},j,{k}]", p * q);
+        }
+    }
+    let text = format!(
+        "u[n+1,i,j,k] = u[n,i,j,k] + C*(u[n,i,j+1,k] - 2*u[n,i,j,k] + u[n,i,j-1,k] - (0{mixed}))"
+    );
+    let set = Step::from_text(&text).unwrap().stable_set("C", &SearchPlan::default()).unwrap();
+    // 1 − 4C (s_y + 4 s_x s_z) ≥ −1: C ≤ 1/10.
+    assert_eq!(set.limit().exact().unwrap().to_string(), "1/10", "{set:?}");
+}

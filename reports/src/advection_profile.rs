@@ -62,6 +62,7 @@ impl AdvectionRecord {
                 time: result.time,
                 completed: failure.is_none(),
                 failure: failure.clone(),
+                warnings: courant_warning(plan, result).into_iter().collect(),
                 l1: ErrorNorms { value: finite(seen.l1), ..ErrorNorms::default() },
                 l1_note: Some(match failure {
                     None => "one quantity is advected: its norm is `value`".into(),
@@ -100,6 +101,20 @@ impl AdvectionRecord {
             interactions: result.interactions,
         }
     }
+}
+
+/// What is to be said where equal steps to the end have another Courant number than the one asked for.
+fn courant_warning(plan: &RunPlan, result: &AdvectionRun) -> Option<String> {
+    let (asked, used) = (plan.method.courant_number, result.courant_number);
+    // Rounding of the quotient is no change.
+    ((asked - used).abs() > 1e-12 * asked).then(|| {
+        format!(
+            "C = {} does not divide the way: equal steps to t = {} have C = {}",
+            short(asked),
+            short(plan.periods),
+            significant(used, 8)
+        )
+    })
 }
 
 /// Why a run did not reach its end with numbers.

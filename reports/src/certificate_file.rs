@@ -1,4 +1,4 @@
-//! Files of certificates: `{"schema": "courant.certificate/2", "certificates": […]}`.
+//! Files of certificates: `{"schema": "courant.certificate/3", "certificates": […]}`.
 
 use crate::publish::{PublishError, write_whole};
 use courant_analysis::certificate::{Certificate, CertificateError, Verified, verify};
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// The name and version of the format.
-pub const SCHEMA: &str = "courant.certificate/2";
+pub const SCHEMA: &str = "courant.certificate/3";
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -125,7 +125,7 @@ mod tests {
         let text = std::fs::read_to_string(&path).unwrap();
         std::fs::write(&path, text.replace("15/8", "19/10")).unwrap();
         assert!(matches!(verify_file(&path), Err(CertificateFileError::Refused { .. })));
-        std::fs::write(&path, text.replace("certificate/2", "certificate/1")).unwrap();
+        std::fs::write(&path, text.replace("certificate/3", "certificate/2")).unwrap();
         assert!(matches!(read(&path), Err(CertificateFileError::OtherSchema(_))));
         std::fs::write(&path, &text[..text.len() / 2]).unwrap();
         assert!(matches!(read(&path), Err(CertificateFileError::Malformed { .. })));

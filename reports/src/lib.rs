@@ -24,6 +24,7 @@ pub mod run_record;
 pub mod stability_map;
 pub mod step_map;
 pub mod table;
+pub mod wave_curves;
 pub mod wave_map;
 
 /// A table or figure of a report, for listing.

@@ -1,6 +1,7 @@
 //! Profiles of particle runs: the figure and the table of one scene's state beside its exact solution.
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::number::finite;
 use courant_simulation::particles::{Flow, Material, ParticleRun, ParticleScene};
 use courant_simulation::riemann::State;
 use courant_simulation::run::Profile;
@@ -186,7 +187,10 @@ pub fn profile_csv(scene: &ParticleScene, run: &ParticleRun, exact: bool) -> Vec
             row.extend([state.density(), state.velocity(), state.pressure()]);
             row.extend(internal_energy(scene, &state));
         }
-        let cells: Vec<String> = row.iter().map(|value| format!("{value:e}")).collect();
+        let cells: Vec<String> = row
+            .iter()
+            .map(|value| finite(*value).map_or_else(String::new, |value| value.to_string()))
+            .collect();
         text.push_str(&cells.join(","));
         text.push('\n');
     }

@@ -1,13 +1,11 @@
 //! Maps of the amplification of any scheme over the plane of two of its parameters.
 
-use crate::figure::{
-    Axis, Color, Field, Figure, FigureError, FilledContours, Line, Marker, Markers, Panel, Side,
-};
+use crate::figure::{Axis, Color, Field, Figure, FigureError, FilledContours, Line, Panel, Side};
 use crate::npy;
 use crate::stability_map::{bands, color_bar};
 use courant_analysis::exact::rational::{Rational, to_f64, to_text};
 use courant_analysis::scheme::Step;
-use courant_analysis::stability::{SearchPlan, StableSet};
+use courant_analysis::stability::{Limit, SearchPlan, StableSet};
 use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, with_progress};
 use ndarray::Array2;
 use num_traits::Signed;
@@ -39,6 +37,8 @@ pub struct PlaneMap {
     pub lowest: Array2<f64>,
     /// The stable values of the second parameter for each value of the first: proved.
     pub stable: Vec<StableSet>,
+    /// The ends of the stable intervals of the first parameter for each value of the second, proved; none where it does not occur any more.
+    pub ends_across: Vec<Vec<f64>>,
 }
 
 /// Computes a map; all other parameters of the step have their values. `progress` is told how many columns are done.
@@ -61,7 +61,15 @@ pub fn plane_map(
     })?;
     let (gains, stable): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
     let gains = GainMap::from_rows(&gains, ys.len());
-    Ok(PlaneMap { x, y, largest: 1.0 + gains.growth, lowest: gains.lowest_gain, stable })
+    let widest = x.values.iter().max().filter(|value| value.is_positive());
+    let across = widest.map_or_else(|| plan.clone(), |widest| plan.clone().up_to(widest.clone()));
+    let row = |value: &Rational| {
+        let set = step.with(&y.name, value).and_then(|row| row.stable_set(&x.name, &across));
+        set.map_or_else(|_| Vec::new(), |set| ends(&set))
+    };
+    let ends_across = y.values.par_iter().map(row).collect();
+    let (largest, lowest) = (1.0 + gains.growth, gains.lowest_gain);
+    Ok(PlaneMap { x, y, largest, lowest, stable, ends_across })
 }
 
 impl PlaneMap {
@@ -90,29 +98,17 @@ impl PlaneMap {
         )
         .title(title)
         .layer(FilledContours::new(field, bands()?));
-        let limits: Vec<(f64, f64)> =
-            xs.iter().zip(&self.stable).map(|(&x, set)| (x, set.limit().value())).collect();
-        let mut labelled = false;
-        for stretch in limits.chunk_by(|a, b| drawn(a.1) == drawn(b.1)) {
-            if drawn(stretch[0].1) && stretch.len() > 1 {
-                let mut line = Line::new(stretch.iter().copied()).color(Color::BLACK).width(1.8);
-                if !labelled {
-                    line = line.label("stability limit");
-                    labelled = true;
-                }
-                panel = panel.layer(line);
+        // Decided along either axis, so that steep parts are drawn as well as flat ones.
+        let along_y = boundaries(&xs, &self.stable.iter().map(ends).collect::<Vec<_>>());
+        let along_x = boundaries(&ys, &self.ends_across).into_iter();
+        let along_x = along_x.map(|line| line.into_iter().map(|(y, x)| (x, y)).collect());
+        for (index, points) in along_y.into_iter().chain(along_x).enumerate() {
+            let points: Vec<(f64, f64)> = points;
+            let mut line = Line::new(points).color(Color::BLACK).width(1.8);
+            if index == 0 {
+                line = line.label("stability limit");
             }
-        }
-        // Other ends: of windows that do not begin at 0.
-        let others = xs.iter().zip(&self.stable).flat_map(|(&x, set)| {
-            let windows = set.intervals.iter().filter(|interval| interval.from.upper() > 0.0);
-            let ends = windows.flat_map(|window| [window.from.value(), window.to.value()]);
-            ends.filter(|end| drawn(*end)).map(move |end| (x, end)).collect::<Vec<_>>()
-        });
-        let others: Vec<(f64, f64)> = others.collect();
-        if !others.is_empty() {
-            let markers = Markers::new(others, Marker::Square).color(Color::BLACK).size(1.8);
-            panel = panel.layer(markers.label("ends of stable windows"));
+            panel = panel.layer(line);
         }
         Ok(Figure::single(panel).size(5.2, 4.3).legend_below().color_bar(color_bar()?, Side::Right))
     }
@@ -141,7 +137,14 @@ impl PlaneMap {
                 format!("{},{},{from},{to},{evidence}\n", to_f64(value), to_text(value))
             };
             if set.intervals.is_empty() {
-                limits.push_str(&row(0.0, 0.0));
+                // Nothing but 0 itself, or nothing at all.
+                limits.push_str(&match set.at_zero {
+                    true => row(0.0, 0.0),
+                    false => {
+                        let evidence = set.limit().evidence().name();
+                        format!("{},{},,,{evidence}\n", to_f64(value), to_text(value))
+                    }
+                });
             }
             for interval in &set.intervals {
                 limits.push_str(&row(interval.from.upper(), interval.to.value()));
@@ -163,8 +166,22 @@ impl PlaneMap {
     }
 }
 
-fn drawn(limit: f64) -> bool {
-    limit.is_finite() && limit > 0.0
+/// The positive ends of the stable intervals.
+fn ends(set: &StableSet) -> Vec<f64> {
+    let both = set.intervals.iter().flat_map(|interval| [&interval.from, &interval.to]);
+    both.map(Limit::value).filter(|end| end.is_finite() && *end > 0.0).collect()
+}
+
+/// Ends over the values of the other parameter, as lines where neighbours have equally many.
+fn boundaries(values: &[f64], ends: &[Vec<f64>]) -> Vec<Vec<(f64, f64)>> {
+    let rows: Vec<(f64, &Vec<f64>)> = values.iter().copied().zip(ends).collect();
+    rows.chunk_by(|a, b| a.1.len() == b.1.len())
+        .filter(|rows| rows.len() > 1)
+        .flat_map(|rows| {
+            let line = |end: usize| rows.iter().map(|row| (row.0, row.1[end])).collect();
+            (0..rows[0].1.len()).map(line).collect::<Vec<_>>()
+        })
+        .collect()
 }
 
 #[cfg(test)]

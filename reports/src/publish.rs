@@ -29,15 +29,15 @@ pub struct OutputDirectory {
 }
 
 impl OutputDirectory {
-    /// Creates the directory if it is not there and checks that files can be made in it, before any
-    /// work is done.
+    /// Checks that files can be made in the directory, before any work is done. It is made itself, where it is not
+    /// there, with the first file: input that is refused later leaves nothing behind.
     ///
     /// # Errors
-    /// When the directory cannot be made or does not accept files.
+    /// When the directory, or the nearest one above it that is there, does not accept files.
     pub fn open(path: &Path) -> Result<Self, PublishError> {
         let failed = |source| PublishError { path: path.to_owned(), source };
-        std::fs::create_dir_all(path).map_err(failed)?;
-        temporary_file(path).map_err(failed)?;
+        let there = path.ancestors().find(|above| above.symlink_metadata().is_ok());
+        temporary_file(there.unwrap_or(Path::new("."))).map_err(failed)?;
         Ok(Self { path: path.to_owned() })
     }
 
@@ -52,25 +52,49 @@ impl OutputDirectory {
     /// When the file system refuses.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, PublishError> {
         let path = self.path.join(name);
+        std::fs::create_dir_all(&self.path)
+            .map_err(|source| PublishError { path: self.path.clone(), source })?;
         write_whole(&path, bytes)?;
         Ok(path)
     }
 }
 
-/// Writes one file whole or not at all.
+/// Writes one file whole or not at all. A symbolic link stays, and what it leads to is written; what is no file, such
+/// as a device or a pipe, takes the bytes and stays as well.
 ///
 /// # Errors
 /// When the file system refuses.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PublishError> {
     let failed = |source| PublishError { path: path.to_owned(), source };
-    let directory = match path.parent() {
+    match std::fs::metadata(path) {
+        Ok(there) if !there.is_file() => {
+            let mut taker = std::fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
+            return taker.write_all(bytes).map_err(failed);
+        }
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(failed(error)),
+        _ => {}
+    }
+    let target = behind_links(path);
+    let file = temporary_file(directory_of(&target)).map_err(failed)?;
+    file.as_file().write_all(bytes).map_err(failed)?;
+    file.persist(target).map_err(|error| failed(error.error))?;
+    Ok(())
+}
+
+/// Where links lead in the end, also when nothing is there yet; there are no circles where the system found none.
+fn behind_links(path: &Path) -> PathBuf {
+    let mut path = path.to_owned();
+    while let Ok(target) = std::fs::read_link(&path) {
+        path = directory_of(&path).join(target);
+    }
+    path
+}
+
+fn directory_of(path: &Path) -> &Path {
+    match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
-    };
-    let file = temporary_file(directory).map_err(failed)?;
-    file.as_file().write_all(bytes).map_err(failed)?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+    }
 }
 
 /// A file with the permissions of any other, which goes away unless it is moved to its place. Its errors
@@ -100,6 +124,34 @@ mod tests {
         let error = write_whole(&path, b"x").unwrap_err();
         let system = std::fs::write(&path, b"x").unwrap_err();
         assert_eq!(error.to_string(), format!("cannot write `{}`: {system}", path.display()));
+    }
+
+    #[test]
+    fn a_directory_is_made_with_its_first_file() {
+        let place = tempfile::tempdir().unwrap();
+        let output = OutputDirectory::open(&place.path().join("a").join("b")).unwrap();
+        assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 0);
+        assert!(output.write("c", b"x").unwrap().exists());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_stay_and_what_they_lead_to_is_written() {
+        let place = tempfile::tempdir().unwrap();
+        let at = |name: &str| place.path().join(name);
+        std::fs::create_dir(at("below")).unwrap();
+        std::fs::write(at("below/old"), b"old").unwrap();
+        for (link, target) in [("a", "below/old"), ("b", "a"), ("c", "below/new")] {
+            std::os::unix::fs::symlink(target, at(link)).unwrap();
+        }
+        for (link, target) in [("b", "below/old"), ("c", "below/new")] {
+            write_whole(&at(link), link.as_bytes()).unwrap();
+            assert!(at(link).is_symlink() && at("a").is_symlink());
+            assert_eq!(std::fs::read_to_string(at(target)).unwrap(), link);
+        }
+        std::os::unix::fs::symlink("circle", at("circle")).unwrap();
+        assert!(write_whole(&at("circle"), b"x").is_err() && at("circle").is_symlink());
+        assert_eq!(std::fs::read_dir(at("below")).unwrap().count(), 2);
     }
 
     #[cfg(unix)]

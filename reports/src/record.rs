@@ -61,7 +61,7 @@ pub struct LimitRecord {
     /// The polynomial of which it is a root, when it has no closed form.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equation: Option<EquationRecord>,
-    /// `proved`, `enclosed`, `sampled` or `undecided`.
+    /// `proved`, `enclosed`, `sampled`, `measured` or `undecided`.
     pub evidence: &'static str,
     /// How many phases a sampled limit looked at.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -170,7 +170,7 @@ impl LimitRecord {
             evidence: limit.evidence().name(),
             phases: match limit.evidence() {
                 Evidence::Sampled { phases } => Some(phases),
-                Evidence::Proved | Evidence::Enclosed | Evidence::Undecided => None,
+                _ => None,
             },
             critical_phase: limit.critical_wave().map(Phases::of),
             critical_direction: limit.critical_wave().and_then(direction_of),

@@ -64,6 +64,8 @@ pub struct RunRecord {
     pub completed: bool,
     /// Why not.
     pub failure: Option<String>,
+    /// What the user should know before believing the numbers.
+    pub warnings: Vec<String>,
     /// Error norms.
     pub l1: ErrorNorms,
     /// Why norms are `null`, where some are.

@@ -5,6 +5,7 @@ use crate::figure::{
     Marker, Markers, Panel, Side,
 };
 use crate::npy;
+use crate::number::finite;
 use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::stability::Evidence;
@@ -257,23 +258,21 @@ impl StabilityMap {
             text
         };
         let rows: Vec<String> = self.plan.ratios.par_iter().enumerate().map(row).collect();
-        let heading = "ratio,courant,max_gain,max_gain_phase,min_gain,min_gain_phase\n";
+        let heading = "ratio,cfl,max_gain,max_gain_phase,min_gain,min_gain_phase\n";
         heading.to_string() + &rows.concat()
     }
 
     /// The limit curves as comma-separated values.
     pub fn limits_csv(&self) -> String {
-        let mut text = String::from("ratio,ratio_exact,stability,growth_1e-3,monotonicity\n");
+        let mut text = String::from("ratio,ratio_exact,stability,growth_1e_3,monotonicity\n");
         for (index, l) in self.plan.ratios.iter().enumerate() {
-            let monotonicity = self.monotonicity.get(index).map_or(0.0, |point| point.1);
-            text.push_str(&format!(
-                "{},{},{},{},{}\n",
-                to_f64(l),
-                to_text(l),
-                self.stability[index].1,
-                self.growth[index].1,
-                monotonicity
-            ));
+            let curves = [&self.stability, &self.growth, &self.monotonicity];
+            // Where a curve has no limit the cell is empty.
+            let limits = curves.map(|curve| {
+                let limit = curve.get(index).and_then(|point| finite(point.1));
+                limit.map_or_else(String::new, |limit| limit.to_string())
+            });
+            text.push_str(&format!("{},{},{}\n", to_f64(l), to_text(l), limits.join(",")));
         }
         text
     }

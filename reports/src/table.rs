@@ -39,7 +39,7 @@ impl<T: Into<String>> From<T> for Cell {
 /// let mut table = Table::new("Limits", &[("kernel", Align::Left), ("C", Align::Right)]);
 /// table.push(["cubic-spline", "1.875"]);
 /// assert!(table.to_markdown().contains("| cubic-spline | 1.875 |"));
-/// assert_eq!(table.to_csv(), "kernel,C\ncubic-spline,1.875\n");
+/// assert_eq!(table.to_csv(), "kernel,cfl\ncubic-spline,1.875\n");
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {
@@ -101,19 +101,54 @@ impl Table {
         widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
     }
 
+    /// The widths of the columns in so much room: the widest are narrowed, down to their longest word.
+    fn widths_within(&self, room: usize) -> Vec<usize> {
+        let mut widths = self.widths();
+        let least: Vec<usize> = (0..widths.len())
+            .map(|index| {
+                let cells = self.rows.iter().map(|row| row[index].text.as_str());
+                let words =
+                    cells.chain([self.columns[index].0.as_str()]).flat_map(|c| c.split(' '));
+                words.map(width).max().unwrap_or(0)
+            })
+            .collect();
+        let gaps = 2 * widths.len().saturating_sub(1);
+        while widths.iter().sum::<usize>() + gaps > room {
+            let narrower = (0..widths.len()).filter(|&index| widths[index] > least[index]);
+            match narrower.max_by_key(|&index| widths[index]) {
+                Some(index) => widths[index] -= 1,
+                None => break,
+            }
+        }
+        widths
+    }
+
     /// Aligned columns for a terminal, the caption above.
     pub fn to_text(&self) -> String {
-        let widths = self.widths();
+        self.to_text_within(usize::MAX)
+    }
+
+    /// The same in so many columns of a terminal, if words and numbers are short enough: longer cells and headings go on
+    /// in lines of their own.
+    pub fn to_text_within(&self, room: usize) -> String {
+        let widths = self.widths_within(room);
         let line = |cells: Vec<&str>| {
-            let mut text = String::new();
-            for ((cell, wanted), (_, align)) in cells.iter().zip(&widths).zip(&self.columns) {
-                let padding = " ".repeat(wanted - width(cell));
-                match align {
-                    Align::Left => text.push_str(&format!("{cell}{padding}  ")),
-                    Align::Right => text.push_str(&format!("{padding}{cell}  ")),
+            let cells: Vec<Vec<String>> =
+                cells.iter().zip(&widths).map(|(cell, width)| broken(cell, *width)).collect();
+            let lines = cells.iter().map(Vec::len).max().unwrap_or(0);
+            let one = |index: usize| {
+                let mut text = String::new();
+                for ((cell, wanted), (_, align)) in cells.iter().zip(&widths).zip(&self.columns) {
+                    let cell = cell.get(index).map_or("", String::as_str);
+                    let padding = " ".repeat(wanted - width(cell));
+                    match align {
+                        Align::Left => text.push_str(&format!("{cell}{padding}  ")),
+                        Align::Right => text.push_str(&format!("{padding}{cell}  ")),
+                    }
                 }
-            }
-            format!("{}\n", text.trim_end())
+                format!("{}\n", text.trim_end())
+            };
+            (0..lines).map(one).collect::<String>()
         };
         let mut text = format!("{}\n\n", self.caption);
         if self.header().any(|name| !name.is_empty()) {
@@ -168,12 +203,21 @@ impl Table {
         text
     }
 
-    /// Comma-separated values with a header line.
+    /// Comma-separated values for machines: headings in ASCII, words joined by `_`; numbers as plain decimals; what is
+    /// not there is empty.
     pub fn to_csv(&self) -> String {
+        let mut names: Vec<String> = Vec::new();
+        for heading in self.header() {
+            let name = machine_name(heading);
+            // Two columns of one name are told apart by their place.
+            let unique =
+                if names.contains(&name) { format!("{name}_{}", names.len()) } else { name };
+            names.push(unique);
+        }
         let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(self.header()).expect("writing to memory does not fail");
+        writer.write_record(names).expect("writing to memory does not fail");
         for row in self.rows() {
-            writer.write_record(row).expect("rows have as many cells as the header");
+            writer.write_record(row.map(machine_cell)).expect("rows are as long as the header");
         }
         let bytes = writer.into_inner().expect("writing to memory does not fail");
         String::from_utf8(bytes).expect("cells are UTF-8")
@@ -198,6 +242,86 @@ impl Table {
             cells("th", self.header().collect())
         )
     }
+}
+
+/// A cell in lines of at most so many characters, broken at spaces.
+fn broken(cell: &str, most: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for (index, word) in cell.split(' ').enumerate() {
+        let line = lines.last_mut().expect("there is a line");
+        if index > 0 && width(line) + 1 + width(word) > most {
+            lines.push(word.into());
+        } else {
+            line.push_str(if index > 0 { " " } else { "" });
+            line.push_str(word);
+        }
+    }
+    lines
+}
+
+/// A heading for machines: `l/Δξ` and `h/Δ` are the `ratio` everywhere, `|g|` and `|z|` the `gain`, `C` the `cfl`.
+fn machine_name(heading: &str) -> String {
+    if heading == "C" {
+        return "cfl".into();
+    }
+    let known = [
+        ("l/Δξ", "ratio"),
+        ("h/Δ", "ratio"),
+        ("|g|", "gain"),
+        ("|z|", "gain"),
+        ("arg g", "phase"),
+        ("arg z", "phase"),
+        ("α", "alpha"),
+        ("β", "beta"),
+        ("γ", "gamma"),
+        ("κΔ", "kappa"),
+        ("Δ", "delta_"),
+        ("η", "eta"),
+        ("κ", "kappa"),
+        ("λ", "lambda"),
+        ("ξ", "xi"),
+        ("π", "pi"),
+        ("ρ", "rho"),
+        ("σ", "sigma"),
+        ("φ", "phase"),
+        ("ω", "omega"),
+        ("∞", "inf"),
+        ("−", " minus "),
+        ("%", " percent"),
+    ];
+    let text =
+        known.iter().fold(heading.to_string(), |text, (sign, name)| text.replace(sign, name));
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { ' ' };
+    let words: String = text.chars().map(plain).collect();
+    words.split_whitespace().collect::<Vec<_>>().join("_")
+}
+
+/// A cell for machines.
+fn machine_cell(cell: &str) -> String {
+    let number = cell.replace('−', "-").replace('∞', "inf");
+    match number.parse::<f64>() {
+        _ if cell == "–" => String::new(),
+        Ok(value) if value.is_nan() => String::new(),
+        Ok(_) => without_exponent(&number).unwrap_or(number),
+        Err(_) => cell.into(),
+    }
+}
+
+/// A decimal with its exponent written out, all digits as they are.
+fn without_exponent(number: &str) -> Option<String> {
+    let (mantissa, exponent) = number.split_once(['e', 'E'])?;
+    let exponent: i32 = exponent.parse().ok()?;
+    let (sign, digits) = match mantissa.strip_prefix('-') {
+        Some(digits) => ("-", digits),
+        None => ("", mantissa),
+    };
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let (before, after) = (whole.len() as i32 + exponent, part.len() as i32 - exponent);
+    let zeros = |count: i32| "0".repeat(count.max(0) as usize);
+    let all = format!("{}{whole}{part}{}", zeros(1 - before), zeros(-after));
+    let (whole, part) = all.split_at(before.max(1) as usize);
+    let point = if part.is_empty() { "" } else { "." };
+    Some(format!("{sign}{whole}{point}{part}"))
 }
 
 /// Columns in a terminal: every character here is one wide.
@@ -227,9 +351,46 @@ mod tests {
     }
 
     #[test]
+    fn cells_that_are_too_wide_go_on_below() {
+        let mut table = Table::new("", &[("words", Align::Left), ("a number", Align::Right)]);
+        table.push(["one two three", "1.25"]);
+        let text = table.to_text_within(15);
+        let lines: Vec<&str> = text.lines().skip(2).collect();
+        assert_eq!(
+            lines,
+            ["words         a", "         number", "───────  ──────", "one two    1.25", "three"]
+        );
+        assert!(table.to_text_within(3).lines().all(|line| width(line) <= 13));
+        assert_eq!(table.to_text_within(30), table.to_text());
+    }
+
+    #[test]
+    fn machines_get_ascii_headings_and_plain_decimals() {
+        let heads = ["l/Δξ", "|g| − 1", "C", "max error of ω", "κΔ", "growth 1e-3", "|g| − 1"];
+        let mut table = Table::new("", &heads.map(|head| (head, Align::Left)));
+        table.push(["3/2", "−1.50e-4", "∞", "–", "-0", "a – b", "1.250"]);
+        assert_eq!(
+            table.to_csv(),
+            "ratio,gain_minus_1,cfl,max_error_of_omega,kappa,growth_1e_3,gain_minus_1_6\n\
+             3/2,-0.000150,inf,,-0,a – b,1.250\n"
+        );
+        for (number, plain) in [
+            ("1.25e1", "12.5"),
+            ("1.25e2", "125"),
+            ("-1.25e4", "-12500"),
+            ("1.25e-1", "0.125"),
+            ("12e-3", "0.012"),
+            ("5e0", "5"),
+        ] {
+            assert_eq!(without_exponent(number).as_deref(), Some(plain));
+            assert_eq!(number.parse::<f64>(), plain.parse());
+        }
+    }
+
+    #[test]
     fn every_format_escapes_what_it_reserves() {
         assert!(table().to_markdown().contains("| a\\|b | 15/8 |"));
-        assert!(table().to_csv().contains("\"long, name\",−1"));
+        assert!(table().to_csv().contains("\"long, name\",-1"));
         let latex = table().to_latex();
         assert!(
             latex.contains("\\caption{A 5\\% table}") && latex.contains("a$|$b & $\\frac{15}{8}$")

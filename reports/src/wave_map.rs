@@ -234,7 +234,7 @@ impl WaveMap {
         for ((i, j), shown) in self.values.indexed_iter() {
             let (kappa, other) = (self.kappas[i], self.second[j]);
             let damping = self.damping_ratio[[i, j]];
-            text.push_str(&format!("{kappa:.6},{other:.6},{shown:.9},{damping:.6}\n"));
+            text.push_str(&format!("{kappa},{other},{shown},{damping}\n"));
         }
         vec![
             (format!("{stem}.csv"), text.into_bytes()),

@@ -1,12 +1,14 @@
 //! `courant dispersion`.
 
-use super::numbers::{self, Numbers};
-use super::output::{Format, print, print_json, table_text};
-use super::waves::{self, DensityName, Form, MethodName, Relation};
+use super::columns::{self, number};
+use super::numbers::{self, Names, Numbers};
+use super::output::{Format, WIDTH, print, print_json, table_text};
+use super::subject::density_name;
+use super::waves::{self, Form, MethodName, Relation};
 use super::{Failure, Outcome, names};
 use clap::{Args, ValueEnum};
-use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
-use courant::analysis::kernel::Kernel;
+use courant::analysis::exact::rational::{Rational, to_f64, to_text};
+use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::Integrator;
 use courant::analysis::waves::dispersion::{
     AmplitudeTime, Branch, Frequencies, amplitude, phase_error, stepped_frequencies, two_waves,
@@ -21,46 +23,35 @@ use serde::Serialize;
 /// Rows of one answer at most.
 const MAX_ROWS: usize = 1_000_000;
 
-/// Which relations of Godunov particle hydrodynamics.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum FormChoice {
-    /// What the scheme does: left and right by position.
-    Resolved,
-    /// As printed.
-    Published,
-    /// One after the other.
-    Both,
-}
-
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Method.
-    #[arg(long, value_enum)]
-    method: MethodName,
-    /// Kernel: see `courant list kernels`.
-    #[arg(long, value_parser = names::kernel, default_value = "cubic-spline")]
-    kernel: Kernel,
+    /// Methods: sph, sph-av, gph.
+    #[arg(long, value_name = "NAMES", value_parser = |text: &str| numbers::names(text, waves::method))]
+    method: Names<MethodName>,
+    /// Kernels: see `courant list kernels`.
+    #[arg(long, value_name = "NAMES", value_parser = |text: &str| numbers::names(text, names::kernel), default_value = "cubic-spline")]
+    kernel: Names<Kernel>,
     /// Smoothing ratios h/Δ: 1.2 or 1,3/2 or 1:2:0.1, read exactly.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list)]
     ratio: Numbers,
     /// Wave numbers κΔ in radians per spacing, from 0 to 2π: 0.1:3.1:0.1. The shortest wave is π.
     #[arg(long, allow_hyphen_values = true, value_parser = kappa_list)]
     kappa: Numbers,
-    /// Coefficient of viscosity of sph-av (default: 1).
-    #[arg(long, allow_hyphen_values = true, value_parser = waves::alpha)]
-    alpha: Option<Rational>,
-    /// Relation of gph (default: both).
-    #[arg(long, value_enum)]
-    form: Option<FormChoice>,
-    /// The wave as this integrator steps it (default: exact in time); needs --cfl.
-    #[arg(long, value_parser = waves::integrator, requires = "cfl")]
-    integrator: Option<&'static Integrator>,
-    /// Time step c Δt/h of the integrator.
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number, requires = "integrator")]
-    cfl: Option<Rational>,
-    /// Density ρ0 of the undisturbed lattice.
-    #[arg(long, value_enum, default_value = "summation")]
-    density: DensityName,
+    /// Coefficients of viscosity of sph-av (default: 1).
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::alphas)]
+    alpha: Option<Numbers>,
+    /// Relations of gph: resolved, which is what the scheme does, published, which is what was printed (default: both).
+    #[arg(long, value_name = "NAMES", value_parser = forms)]
+    form: Option<Names<Form>>,
+    /// The waves as these integrators step them (default: exact in time); needs --cfl.
+    #[arg(long, value_name = "NAMES", value_parser = |text: &str| numbers::names(text, waves::integrator), requires = "cfl")]
+    integrator: Option<Names<&'static Integrator>>,
+    /// Time steps c Δt/h of the integrator.
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_numbers, requires = "integrator")]
+    cfl: Option<Numbers>,
+    /// Densities ρ0 of the undisturbed lattice: summation, continuity.
+    #[arg(long, value_name = "NAMES", value_parser = |text: &str| numbers::names(text, names::density), default_value = "summation")]
+    density: Names<Density>,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]
     format: Format,
@@ -76,6 +67,26 @@ pub fn kappa_list(text: &str) -> Result<Numbers, String> {
         )),
         None => Ok(numbers),
     }
+}
+
+/// Relations of gph; `both` is a list of them.
+fn forms(text: &str) -> Result<Names<Form>, String> {
+    match text {
+        "both" => Ok(Names(vec![Form::Resolved, Form::Published])),
+        _ => numbers::names(text, |name| {
+            Form::from_str(name, true).map_err(|_| "accepted: resolved, published, both".into())
+        }),
+    }
+}
+
+/// What has one relation between wave number and frequency.
+struct Case {
+    relation: Relation,
+    kernel: Kernel,
+    ratio: Rational,
+    density: Density,
+    /// With its time step `c Δt/h`.
+    stepped: Option<(&'static Integrator, Rational)>,
 }
 
 /// One wave. Frequencies are in units of `c/Δ`.
@@ -95,6 +106,7 @@ struct Row {
     phase_error: Option<f64>,
     amplitude: Option<f64>,
     regime: &'static str,
+    density: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     integrator: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -108,53 +120,109 @@ struct Row {
 struct Rows {
     /// What the numbers are measured in.
     units: &'static str,
-    density: &'static str,
+    density: String,
     rows: Vec<Row>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let methods = methods(arguments)?;
-    let count = 2 * methods.len() * arguments.ratio.0.len() * arguments.kappa.0.len();
+    let cases = cases(arguments)?;
+    let count = 2usize.saturating_mul(cases.len()).saturating_mul(arguments.kappa.0.len());
     if count > MAX_ROWS {
         return Err(Failure::Message(format!(
-            "--ratio and --kappa: the answer would have {count} rows; at most {MAX_ROWS} are accepted"
+            "--ratio, --kappa: with the other lists the answer would have {count} rows; at most {MAX_ROWS} are accepted"
         )));
     }
-    let cases: Vec<(&Relation, &Rational)> = methods
-        .iter()
-        .flat_map(|method| arguments.ratio.0.iter().map(move |ratio| (method, ratio)))
-        .collect();
     let rows: Result<Vec<Vec<Row>>, Failure> =
-        cases.into_par_iter().map(|(method, ratio)| waves_of(arguments, method, ratio)).collect();
+        cases.par_iter().map(|case| waves_of(case, &arguments.kappa)).collect();
     let rows: Vec<Row> = rows?.into_iter().flatten().collect();
-    match table_text(&table(arguments, &rows), arguments.format) {
-        Some(text) => print(&text),
-        None => {
+    match arguments.format {
+        Format::Json => {
             let units = "kappa in radians per spacing Δ, omega in c/Δ, amplitude at t = Δ/c";
-            let density = courant::analysis::kernel::Density::from(arguments.density).formula();
+            let density = formulas(&cases).join("; ");
             print_json("dispersion", &Rows { units, density, rows })
         }
+        Format::Csv => print(&csv_table(&rows).to_csv()),
+        format => print(&tables(arguments, &cases, &rows, format)),
     }
 }
 
-fn methods(arguments: &Arguments) -> Result<Vec<Relation>, Failure> {
-    let forms = match (arguments.method, arguments.form) {
-        (MethodName::Gph, None | Some(FormChoice::Both)) => {
-            vec![Some(Form::Published), Some(Form::Resolved)]
+/// Every combination of the lists.
+fn cases(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
+    let steps: Vec<Option<(&'static Integrator, Rational)>> =
+        match (&arguments.integrator, &arguments.cfl) {
+            (Some(integrators), Some(cfl)) => integrators
+                .0
+                .iter()
+                .flat_map(|one| cfl.0.iter().map(|step| Some((*one, step.clone()))))
+                .collect(),
+            _ => vec![None],
+        };
+    let relations = relations(arguments)?;
+    let mut cases = Vec::new();
+    for relation in &relations {
+        for &kernel in &arguments.kernel.0 {
+            for &density in &arguments.density.0 {
+                for stepped in &steps {
+                    cases.extend(arguments.ratio.0.iter().map(|ratio| Case {
+                        relation: relation.clone(),
+                        kernel,
+                        ratio: ratio.clone(),
+                        density,
+                        stepped: stepped.clone(),
+                    }));
+                }
+            }
         }
-        (_, Some(FormChoice::Published)) => vec![Some(Form::Published)],
-        (_, Some(FormChoice::Resolved | FormChoice::Both)) => vec![Some(Form::Resolved)],
-        (_, None) => vec![None],
-    };
-    forms.into_iter().map(|form| arguments.method.method(form, arguments.alpha.as_ref())).collect()
+    }
+    Ok(cases)
 }
 
-fn waves_of(
-    arguments: &Arguments,
-    relation: &Relation,
-    ratio: &Rational,
-) -> Result<Vec<Row>, Failure> {
-    let lattice = relation.lattice(arguments.kernel, ratio, arguments.density.into())?;
+/// The methods with the forms and viscosities that they have; what none of them has is refused.
+fn relations(arguments: &Arguments) -> Result<Vec<Relation>, Failure> {
+    let methods = &arguments.method.0;
+    let both = [Form::Resolved, Form::Published];
+    let mut relations = Vec::new();
+    for &method in methods {
+        let takes_form = method == MethodName::Gph || !methods.contains(&MethodName::Gph);
+        let takes_alpha = method == MethodName::SphAv || !methods.contains(&MethodName::SphAv);
+        let given = arguments.form.as_ref().filter(|_| takes_form);
+        let forms: Vec<Option<Form>> = match given {
+            Some(forms) => forms.0.iter().copied().map(Some).collect(),
+            None if method == MethodName::Gph => both.map(Some).to_vec(),
+            None => vec![None],
+        };
+        let alphas: Vec<Option<&Rational>> = match &arguments.alpha {
+            Some(alphas) if takes_alpha => alphas.0.iter().map(Some).collect(),
+            _ => vec![None],
+        };
+        for form in forms {
+            for alpha in &alphas {
+                relations.push(method.method(form, *alpha)?);
+            }
+        }
+    }
+    Ok(relations)
+}
+
+/// The densities of the cases.
+fn formulas(cases: &[Case]) -> Vec<&'static str> {
+    distinct(cases.iter().map(|case| case.density.formula()))
+}
+
+/// What there is, each once.
+fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
+    let mut seen = Vec::new();
+    for one in all {
+        if !seen.contains(&one) {
+            seen.push(one);
+        }
+    }
+    seen
+}
+
+fn waves_of(case: &Case, kappas: &Numbers) -> Result<Vec<Row>, Failure> {
+    let Case { relation, kernel, ratio, density, stepped } = case;
+    let lattice = relation.lattice(*kernel, ratio, *density)?;
     let exact: Box<dyn Fn(f64) -> Frequencies> = if relation.is_published() {
         let waves = PublishedWaves::of(&lattice)
             .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
@@ -163,16 +231,16 @@ fn waves_of(
         let waves = lattice.waves()?.compile();
         Box::new(move |kappa| waves.mode(kappa).frequencies())
     };
-    let stepped = match (arguments.integrator, &arguments.cfl) {
-        (Some(integrator), Some(cfl)) => {
+    let compiled = match stepped {
+        Some((integrator, cfl)) => {
             Some((lattice.step(integrator)?.compile()?, to_f64(cfl), to_f64(&(cfl * ratio))))
         }
-        _ => None,
+        None => None,
     };
     let mut rows = Vec::new();
-    for kappa in arguments.kappa.0.iter().map(to_f64) {
+    for kappa in kappas.0.iter().map(to_f64) {
         let exact = exact(kappa);
-        let found = match &stepped {
+        let found = match &compiled {
             Some((step, cfl, time)) => {
                 stepped_frequencies(two_waves(step, &[*cfl], kappa, &exact, *time), *time)
             }
@@ -197,7 +265,7 @@ fn waves_of(
             rows.push(Row {
                 method: relation.method.name(),
                 form: relation.form.map(Form::name),
-                kernel: arguments.kernel.name(),
+                kernel: kernel.name(),
                 ratio: to_text(ratio),
                 alpha: relation.alpha(),
                 kappa,
@@ -207,8 +275,9 @@ fn waves_of(
                 phase_error: finite(error),
                 amplitude: finite(left),
                 regime: found.regime_of(branch).name(),
-                integrator: arguments.integrator.map(|integrator| integrator.name.as_str()),
-                cfl: arguments.cfl.as_ref().map(to_f64),
+                density: density_name(*density),
+                integrator: stepped.as_ref().map(|(integrator, _)| integrator.name.as_str()),
+                cfl: stepped.as_ref().map(|(_, cfl)| to_f64(cfl)),
                 reason,
             });
         }
@@ -216,55 +285,126 @@ fn waves_of(
     Ok(rows)
 }
 
-fn table(arguments: &Arguments, rows: &[Row]) -> Table {
-    let stepped = match (arguments.integrator, &arguments.cfl) {
-        (Some(integrator), Some(cfl)) => {
-            format!(", stepped by {} with c Δt/h = {}", integrator.title, to_text(cfl))
-        }
-        _ => ", exact in time".into(),
-    };
-    let alpha = arguments.alpha.clone().unwrap_or_else(|| integer(1));
-    let method = match arguments.method {
-        MethodName::Sph => "SPH".into(),
-        MethodName::SphAv => format!("SPH with viscosity, α = {}", to_text(&alpha)),
-        MethodName::Gph => "GPH".to_owned(),
-    };
-    let caption = format!(
-        "Waves of {method}, {}, {}{stepped}; κ in radians per spacing, ω in c/Δ, amplitude at t = Δ/c",
-        arguments.kernel.title(),
-        courant::analysis::kernel::Density::from(arguments.density).formula(),
-    );
-    let mut table = Table::new(
-        caption,
-        &[
-            ("form", Align::Left),
-            ("h/Δ", Align::Right),
-            ("κ", Align::Right),
-            ("branch", Align::Left),
-            ("Re ω", Align::Right),
-            ("Im ω", Align::Right),
-            ("phase error", Align::Right),
-            ("amplitude", Align::Right),
-            ("regime", Align::Left),
-        ],
-    );
-    let number = |value: Option<f64>| match (value, arguments.format) {
-        (None, _) => "–".into(),
-        (Some(value), Format::Csv) => value.to_string(),
-        (Some(value), _) => significant(value, 7),
-    };
+/// A row a wave for machines: the names are those of the JSON.
+fn csv_table(rows: &[Row]) -> Table {
+    let columns = [
+        "method",
+        "form",
+        "integrator",
+        "kernel",
+        "ratio",
+        "alpha",
+        "density",
+        "cfl",
+        "kappa",
+        "branch",
+        "omega_re",
+        "omega_im",
+        "phase_error",
+        "amplitude",
+        "regime",
+        "reason",
+    ];
+    let mut table = columns::empty(&columns.map(String::from));
     for row in rows {
         table.push([
-            row.form.unwrap_or("–").to_owned(),
+            row.method.to_string(),
+            row.form.unwrap_or_default().into(),
+            row.integrator.unwrap_or_default().into(),
+            row.kernel.into(),
             row.ratio.clone(),
-            number(Some(row.kappa)),
+            number(row.alpha),
+            row.density.into(),
+            number(row.cfl),
+            row.kappa.to_string(),
             row.branch.into(),
             number(row.omega_re),
             number(row.omega_im),
             number(row.phase_error),
             number(row.amplitude),
             row.regime.into(),
+            row.reason.unwrap_or_default().into(),
         ]);
+    }
+    table
+}
+
+/// One table, or where it does not fit one for every list but that of the ratios.
+fn tables(arguments: &Arguments, cases: &[Case], rows: &[Row], format: Format) -> String {
+    let shown = |table: &Table| table_text(table, format).unwrap_or_default();
+    let whole = table(cases, rows);
+    if format != Format::Table || whole.width() <= WIDTH {
+        return shown(&whole);
+    }
+    let ratios = arguments.ratio.0.len();
+    let groups = cases.chunks(ratios).zip(rows.chunks(rows.len() / cases.len() * ratios));
+    groups.map(|(cases, rows)| shown(&table(cases, rows))).collect::<Vec<_>>().join("\n")
+}
+
+/// A row a wave for people: what all waves share is in the caption.
+fn table(cases: &[Case], rows: &[Row]) -> Table {
+    let titles = distinct(cases.iter().map(|case| match case.relation.method {
+        MethodName::Gph => "GPH".into(),
+        _ => case.relation.title(),
+    }));
+    let kernels = distinct(cases.iter().map(|case| case.kernel.title()));
+    let steps = distinct(cases.iter().map(|case| match &case.stepped {
+        Some((integrator, cfl)) => {
+            format!("stepped by {} with c Δt/h = {}", integrator.title, to_text(cfl))
+        }
+        None => "exact in time".into(),
+    }));
+    let densities = formulas(cases);
+    let one = |all: &[String], otherwise: &str| match all {
+        [one] => one.clone(),
+        _ => otherwise.into(),
+    };
+    let texts = |all: &[&str]| all.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let shared = [
+        one(&titles, "particle methods"),
+        one(&texts(&kernels), ""),
+        one(&texts(&densities), ""),
+        one(&steps, ""),
+    ]
+    .into_iter()
+    .filter(|text| !text.is_empty());
+    let caption = format!(
+        "Waves of {}; κ in radians per spacing, ω in c/Δ, amplitude at t = Δ/c",
+        shared.collect::<Vec<_>>().join(", ")
+    );
+    let dash = |text: Option<&str>| text.unwrap_or("–").to_string();
+    let digits =
+        |value: Option<f64>| value.map_or_else(|| "–".to_string(), |value| significant(value, 7));
+    type Cell<'a> = &'a dyn Fn(&Row) -> String;
+    let columns: [(&str, Align, bool, Cell<'_>); 14] = [
+        ("method", Align::Left, titles.len() > 1, &|row| row.method.into()),
+        ("form", Align::Left, rows.iter().any(|row| row.form.is_some()), &|row| dash(row.form)),
+        (
+            "α",
+            Align::Right,
+            titles.len() > 1 && rows.iter().any(|row| row.alpha.is_some()),
+            &|row| digits(row.alpha),
+        ),
+        ("kernel", Align::Left, kernels.len() > 1, &|row| row.kernel.into()),
+        ("density", Align::Left, densities.len() > 1, &|row| row.density.into()),
+        ("integrator", Align::Left, steps.len() > 1, &|row| dash(row.integrator)),
+        ("c Δt/h", Align::Right, steps.len() > 1, &|row| digits(row.cfl)),
+        ("h/Δ", Align::Right, true, &|row| row.ratio.clone()),
+        ("κ", Align::Right, true, &|row| digits(Some(row.kappa))),
+        ("branch", Align::Left, true, &|row| row.branch.into()),
+        ("Re ω", Align::Right, true, &|row| digits(row.omega_re)),
+        ("Im ω", Align::Right, true, &|row| digits(row.omega_im)),
+        ("phase error", Align::Right, true, &|row| digits(row.phase_error)),
+        ("amplitude", Align::Right, true, &|row| digits(row.amplitude)),
+    ];
+    let shown: Vec<_> = columns.iter().filter(|(_, _, when, _)| *when).collect();
+    let mut heads: Vec<(&str, Align)> =
+        shown.iter().map(|(name, align, ..)| (*name, *align)).collect();
+    heads.push(("regime", Align::Left));
+    let mut table = Table::new(caption, &heads);
+    for row in rows {
+        let cells = shown.iter().map(|(.., cell)| cell(row));
+        table.push(cells.chain([row.regime.to_string()]));
     }
     table
 }

@@ -11,16 +11,13 @@ use courant::reports::publish::PublishError;
 /// Why a command gave no result.
 #[derive(Debug)]
 pub enum Failure {
-    /// The reader of standard output went away; that is no failure.
-    ClosedPipe,
-    /// Everything else, as a line that names the option, the value and what would be accepted.
+    /// A line that names the option, the value and what would be accepted.
     Message(String),
 }
 
 impl std::fmt::Display for Failure {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::ClosedPipe => formatter.write_str("the output was closed"),
             Self::Message(message) => formatter.write_str(message),
         }
     }
@@ -29,10 +26,7 @@ impl std::fmt::Display for Failure {
 /// Only standard output is written without an error type of its own.
 impl From<std::io::Error> for Failure {
     fn from(error: std::io::Error) -> Self {
-        match error.kind() {
-            std::io::ErrorKind::BrokenPipe => Self::ClosedPipe,
-            _ => Self::Message(format!("standard output: {error}")),
-        }
+        Self::Message(format!("standard output: {error}"))
     }
 }
 
@@ -70,6 +64,31 @@ impl From<FigureError> for Failure {
     fn from(error: FigureError) -> Self {
         Self::Message(error.to_string())
     }
+}
+
+/// The longest word of a line that is shown whole, and how much is shown of a longer one.
+const LONGEST_WORD: usize = 200;
+
+/// The longest line, and how much is shown of both ends of a longer one.
+const LONGEST_LINE: usize = 1500;
+
+/// An error as one line that a terminal takes: what is in it may come from anywhere, of any length.
+pub fn plain(line: &str) -> String {
+    let escape = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.into() };
+    let escaped: String = line.chars().map(escape).collect();
+    let words: Vec<String> = escaped.split(' ').map(|word| cut(word, LONGEST_WORD)).collect();
+    cut(&words.join(" "), LONGEST_LINE)
+}
+
+/// The two ends of a text that is too long.
+fn cut(text: &str, longest: usize) -> String {
+    let count = text.chars().count();
+    if count <= longest {
+        return text.into();
+    }
+    let left: String = text.chars().take(longest / 3).collect();
+    let right: String = text.chars().skip(count - longest / 3).collect();
+    format!("{left}… ({} characters) …{right}", count - 2 * (longest / 3))
 }
 
 /// What an option of `command` takes: the first line of its help.
@@ -136,6 +155,11 @@ pub fn one_line(error: &clap::Error, command: clap::Command) -> String {
         }
         _ => {
             // `error: invalid value 'x' for '--ratio <LIST>': what is accepted`
+            if let (ErrorKind::ValueValidation, Some(why)) =
+                (error.kind(), std::error::Error::source(error))
+            {
+                return format!("error: invalid value '{value}' for '{argument}': {why}");
+            }
             let rendered = error.to_string();
             let mut lines = rendered.lines();
             let first = lines.next().unwrap_or("error: bad arguments");
@@ -147,5 +171,21 @@ pub fn one_line(error: &clap::Error, command: clap::Command) -> String {
             }
             first.into()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_is_one_short_line_whatever_is_in_it() {
+        assert_eq!(plain("--ratio 1\n2\u{1b}[m: αβ"), "--ratio 1\\n2\\u{1b}[m: αβ");
+        let long = plain(&format!("--ratio {}: no number", "9".repeat(20_000)));
+        assert!(
+            long.len() < 200 && long.starts_with("--ratio 99") && long.ends_with(": no number")
+        );
+        let words = plain(&format!("--equation {}: no equation", "a ".repeat(10_000)));
+        assert!(words.len() < 1200 && words.ends_with(": no equation"), "{words}");
     }
 }

@@ -217,7 +217,9 @@ pub fn describe(limit: &Limit, symbol: &str, asked: Option<usize>) -> String {
             Evidence::Undecided => {
                 format!("undecided beyond {symbol} = {}", significant(limit.lower(), 6))
             }
-            _ if limit.is_unbounded() => "none: stable without limit, proved".into(),
+            evidence if limit.is_unbounded() => {
+                format!("none: stable without limit, {}", evidence.name())
+            }
             _ => format!("none up to {symbol} = {}", significant(limit.lower(), 6)),
         };
     }

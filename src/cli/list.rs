@@ -176,7 +176,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 let also = entry.aliases.join(";");
                 // A row is a line.
                 let equations = entry.equations.unwrap_or_default();
-                let equations = equations.lines().map(str::trim).collect::<Vec<_>>().join("; ");
+                let equations = in_a_line(&equations);
                 let cells = [entry.name, also, entry.description, equations, entry.source];
                 table.push([topic.name()].into_iter().chain(cells));
             }
@@ -217,4 +217,21 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         text.push('\n');
     }
     print(text.trim_end_matches('\n')).and_then(|_| print("\n"))
+}
+
+/// Equations in one line: `;` between them, nothing where a line goes on.
+pub fn in_a_line(equations: &str) -> String {
+    let mut text = String::new();
+    for line in equations.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        let goes_on = text.ends_with(['+', '-', '*', '/', '=', '(', ',']);
+        let begun = text.strip_suffix('\\').map(|begun| begun.trim_end().to_string());
+        match begun {
+            Some(begun) => text = begun + " ",
+            None if goes_on => text.push(' '),
+            None if !text.is_empty() => text.push_str("; "),
+            None => {}
+        }
+        text.push_str(line);
+    }
+    text
 }

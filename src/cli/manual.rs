@@ -4,11 +4,12 @@ use super::output::{print, print_bytes};
 use super::{Failure, Outcome, names};
 use clap::{Args, Command};
 use courant::reports::publish::OutputDirectory;
+use std::io::IsTerminal;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// The command whose page is wanted (default: the page of the program).
+    /// The command whose page is wanted (default: the page of the program): for reading on a terminal, in roff elsewhere.
     #[arg(value_name = "COMMAND", conflicts_with = "out")]
     page: Option<String>,
     /// Write every page to this directory: courant.1, courant-limits.1, …
@@ -36,7 +37,15 @@ pub fn run(arguments: &Arguments, mut program: Command) -> Result<Outcome, Failu
             Failure::Message(format!("COMMAND {name}: {}", names::unknown("command", name, &all)))
         })?,
     };
-    print_bytes(&page(command)?)
+    match std::io::stdout().is_terminal() {
+        true => print(&rendered(command)),
+        false => print_bytes(&page(command)?),
+    }
+}
+
+/// A page as a terminal shows it: no formatter is called, which may not be there.
+fn rendered(command: &Command) -> String {
+    format!("{}(1)\n\n{}", title(command), command.clone().render_long_help().ansi())
 }
 
 fn title(command: &Command) -> String {

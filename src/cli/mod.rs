@@ -2,6 +2,7 @@
 
 mod check;
 mod columns;
+mod curves;
 mod dispersion;
 mod error;
 mod limit_text;
@@ -12,6 +13,7 @@ mod map;
 mod names;
 mod numbers;
 mod output;
+mod probe;
 mod progress;
 mod report;
 mod run;
@@ -24,6 +26,7 @@ mod waves;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use error::Failure;
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Von Neumann stability of numerical schemes: amplification factors, proved time-step limits, maps.
@@ -48,6 +51,9 @@ enum Command {
     /// Verdict on values of a parameter, such as the Courant number; exit code 0 when all are stable or marginal (with --growth: grow by
     /// no more), 1 when one is not or is undecided.
     Check(check::Arguments),
+    /// What a scheme does to every wave, branch by branch: gain, phase error, phase and group speed, points per wavelength; one figure
+    /// for all schemes and values.
+    Curves(curves::Arguments),
     /// Maps over two parameters: amplification with the proved limit for any scheme; phase error, amplitude or stable steps of a particle
     /// method. PNG, SVG, CSV, NPY.
     Map(map::Arguments),
@@ -57,6 +63,9 @@ enum Command {
     Run(Box<run::Arguments>),
     /// Predicted against measured, wave by wave, for any scheme; exit code 0 when they agree, 1 when they do not.
     Validate(validate::Arguments),
+    /// The user's own program as a scheme: its stencil by impulses, its stability limit, verdicts; exit code 0 when the program is a scheme
+    /// and all values of --set are stable, 1 when not.
+    Probe(Box<probe::Arguments>),
     /// Regenerate the one-dimensional tables and figures of a paper: index.html, index.md and all data. Not Cha &
     /// Whitworth's tests in two and three dimensions: Figures 28 to 34, Table 5.
     Report(report::Arguments),
@@ -97,6 +106,11 @@ enum Outcome {
     No,
 }
 
+/// Writes to standard error, where somebody may have stopped reading.
+fn complain(text: &str) {
+    let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
 /// Parses the arguments, runs the command and turns the outcome into an exit code: 0 done or yes, 1 no,
 /// 2 bad input.
 pub fn main() -> ExitCode {
@@ -105,11 +119,11 @@ pub fn main() -> ExitCode {
     let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            eprint!("{error}");
+            complain(&error.to_string());
             return ExitCode::from(2);
         }
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", error::one_line(&error, addressed()));
+            complain(&format!("{}\n", error::plain(&error::one_line(&error, addressed()))));
             return ExitCode::from(2);
         }
         Err(help) => {
@@ -121,15 +135,14 @@ pub fn main() -> ExitCode {
     if let Some(threads) = arguments.threads
         && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()
     {
-        eprintln!("error: --threads {threads}: {error}");
+        complain(&format!("error: --threads {threads}: {error}\n"));
         return ExitCode::from(2);
     }
     match dispatch(arguments.command) {
         Ok(Outcome::Yes) => ExitCode::SUCCESS,
         Ok(Outcome::No) => ExitCode::from(1),
-        Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            complain(&format!("{}\n", error::plain(&format!("error: {failure}"))));
             ExitCode::from(2)
         }
     }
@@ -141,10 +154,12 @@ fn dispatch(command: Command) -> Result<Outcome, Failure> {
         Command::Symbol(arguments) => symbol::run(&arguments),
         Command::Limits(arguments) => limits::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Curves(arguments) => curves::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
         Command::Dispersion(arguments) => dispersion::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
+        Command::Probe(arguments) => probe::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Completions { shell } => {

@@ -1,8 +1,11 @@
 //! Names of kernels and schemes, with a suggestion when one is misspelt.
 
-use courant::analysis::kernel::Kernel;
+use super::run;
+use super::subject::Kind;
+use courant::analysis::kernel::{Density, Kernel};
+use courant::analysis::scheme::catalogue::SchemeFile;
 use courant::analysis::scheme::{Integrator, catalogue};
-use courant::simulation::advection::AdvectionScheme;
+use courant::analysis::spelling::spells;
 use std::sync::Arc;
 
 /// A kernel by name or alias.
@@ -11,12 +14,6 @@ pub fn kernel(text: &str) -> Result<Kernel, String> {
         let aliases = Kernel::ALL.iter().flat_map(|kernel| kernel.aliases());
         with_aliases("kernel", text, &Kernel::ALL.map(Kernel::name), aliases.copied())
     })
-}
-
-/// A scheme by name.
-pub fn scheme(text: &str) -> Result<AdvectionScheme, String> {
-    text.parse()
-        .map_err(|_| unknown("scheme", text, &AdvectionScheme::ALL.map(AdvectionScheme::name)))
 }
 
 /// An integrator by name, alias or file; particle codes mean kick–drift–kick by `leapfrog`.
@@ -35,6 +32,38 @@ pub fn integrator(name: &str, particles: bool) -> Result<Arc<Integrator>, String
         });
         unknown_among("integrator", name, entries, "integrators")
     })
+}
+
+/// A density of particle methods by name.
+pub fn density(text: &str) -> Result<Density, String> {
+    match text.to_ascii_lowercase().as_str() {
+        "summation" => Ok(Density::Summation),
+        "continuity" | "mass" | "mass-per-spacing" => Ok(Density::MassPerSpacing),
+        _ => Err("accepted: summation, continuity".into()),
+    }
+}
+
+/// What a name is that is not what its option takes: a scheme, a space, a method, an integrator.
+pub fn elsewhere(name: &str, option: Option<Kind>) -> Option<String> {
+    let is_among = |all: &[SchemeFile]| all.iter().any(|file| spells(name, &file.name));
+    let is_not = |kind| option != Some(kind);
+    let known = if is_not(Kind::Scheme) && is_among(catalogue::schemes()) {
+        "it is a scheme (--scheme of limits, check, validate)"
+    } else if is_not(Kind::Space) && is_among(catalogue::spaces()) {
+        "it is a space (--space of limits, check, validate)"
+    } else if is_not(Kind::Method) && is_among(catalogue::methods()) {
+        "it is a method whose waves are judged (--method of limits, check, dispersion)"
+    } else if Integrator::named(name).is_some() {
+        "it is an integrator (--integrator)"
+    } else if option == Some(Kind::Method)
+        && run::methods().iter().any(|one| spells(name, one.name))
+    {
+        "it runs scenes (courant run), and its waves have no relation here"
+    } else {
+        let wcsph = "weakly compressible SPH is sph or sph-av with --eos tait:P0";
+        return spells(name, "wcsph").then(|| wcsph.into());
+    };
+    Some(known.into())
 }
 
 /// Why a file that the user names is of no use.
@@ -57,14 +86,17 @@ pub fn misspelt_key(problem: &str) -> String {
 
 /// The nearest of several names, if it is near.
 pub fn nearest<'a>(text: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let wanted = text.to_ascii_lowercase();
-    let (steps, name) = names.map(|name| (distance(&wanted, name), name)).min()?;
-    is_near(steps, name).then_some(name)
+    let (_, name) = names.filter_map(|name| Some((nearness(text, name)?, name))).min()?;
+    Some(name)
 }
 
-/// Whether a name that so many edits make of another may be meant by it.
-fn is_near(steps: usize, name: &str) -> bool {
-    steps <= 1 + name.len() / 4
+/// How many edits make one name of another, where it may be meant by it: so few that most of both is the same, or one
+/// is how the other begins.
+fn nearness(text: &str, name: &str) -> Option<usize> {
+    let wanted = text.to_ascii_lowercase();
+    let begins = wanted.len() >= 3 && name.starts_with(&wanted);
+    let steps = if begins { 1 } else { distance(&wanted, name) };
+    (steps <= 1 + name.len().min(wanted.len()) / 4).then_some(steps)
 }
 
 /// What to say of a name that is none: the nearest one, and all of them.
@@ -79,13 +111,11 @@ pub fn unknown_among<'a>(
     entries: impl Iterator<Item = (&'a str, &'a str)>,
     topic: &str,
 ) -> String {
-    let wanted = text.to_ascii_lowercase();
-    let mut ranked: Vec<(usize, &str)> =
-        entries.map(|(name, stands_for)| (distance(&wanted, name), stands_for)).collect();
+    let near = |(name, stands_for)| Some((nearness(text, name)?, stands_for));
+    let mut ranked: Vec<(usize, &str)> = entries.filter_map(near).collect();
     ranked.sort();
-    let near = |(steps, name): &&(usize, &str)| is_near(*steps, name);
     let mut nearest: Vec<&str> = Vec::new();
-    for (_, name) in ranked.iter().filter(near) {
+    for (_, name) in &ranked {
         if nearest.len() < 3 && !nearest.contains(name) {
             nearest.push(name);
         }
@@ -137,8 +167,7 @@ mod tests {
 
     #[test]
     fn misspelt_names_get_a_suggestion() {
-        assert!(kernel("cubicspline").unwrap_err().contains("`cubic-spline`"));
-        assert!(scheme("godunow-sph").unwrap_err().contains("`godunov-sph`"));
+        assert!(kernel("cubicsplin").unwrap_err().contains("`cubic-spline`"));
         let key = misspelt_key("unknown field `equation`, expected one of `name`, `equations`");
         assert!(key.ends_with("did you mean `equations`?"), "{key}");
         assert!(!kernel("zzz").unwrap_err().contains("did you mean"));

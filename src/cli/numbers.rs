@@ -1,15 +1,16 @@
 //! Numbers, lists and ranges, read exactly: `1,2,3`, `1:10:0.5` (inclusive), `3/2`.
 
-use courant::analysis::exact::rational::{Rational, integer, parse, to_text};
+use courant::analysis::exact::rational::{Rational, integer, parse, to_f64, to_text};
 use courant::analysis::kernel::lattice::{MAX_INVERSE_RATIO, MAX_RATIO, RatioOutOfRange};
-use num_traits::{Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive, Zero};
 use std::collections::HashSet;
+use std::num::FpCategory;
 
 /// The largest Courant number that is judged.
 const MAX_COURANT: i64 = 1_000_000;
 
 /// The largest coefficient of viscosity that is looked at.
-pub const MAX_ALPHA: i64 = 1_000_000;
+const MAX_ALPHA: i64 = 1_000_000;
 
 /// Values in one list or range at most.
 const MAX_VALUES: i64 = 100_000;
@@ -117,7 +118,32 @@ pub fn courant_number(text: &str) -> Result<Rational, String> {
     number(text).and_then(in_courant_range)
 }
 
-/// The same for a number that was read.
+/// A Courant number of a run, which has floating-point numbers.
+pub fn running_courant_number(text: &str) -> Result<Rational, String> {
+    courant_number(text).and_then(floating)
+}
+
+/// A number that stays what it is, within rounding, in floating point: neither too large nor too near to 0.
+pub fn floating(value: Rational) -> Result<Rational, String> {
+    match to_f64(&value).classify() {
+        FpCategory::Normal => Ok(value),
+        FpCategory::Zero if value.is_zero() => Ok(value),
+        FpCategory::Infinite => Err("it must be below 1.8e308".into()),
+        _ => Err("it must be 0 or at least 2.3e-308 in magnitude".into()),
+    }
+}
+
+/// A positive number of a run.
+pub fn running_positive(text: &str) -> Result<Rational, String> {
+    positive(text).and_then(floating)
+}
+
+/// A number of a run that is not negative.
+pub fn running_non_negative(text: &str) -> Result<Rational, String> {
+    non_negative(text).and_then(floating)
+}
+
+/// A Courant number that was read.
 pub fn in_courant_range(value: Rational) -> Result<Rational, String> {
     if !value.is_positive() {
         Err("it must be above 0".into())
@@ -161,7 +187,7 @@ pub fn non_negative(text: &str) -> Result<Rational, String> {
 pub fn non_negative_list(text: &str) -> Result<Numbers, String> {
     let numbers = list(text)?;
     match numbers.0.iter().find(|value| value.is_negative() || **value > integer(MAX_COURANT)) {
-        Some(value) => Err(format!("{} is out of range: from 0 to {MAX_COURANT}", to_text(value))),
+        Some(value) => Err(format!("{} is out of range: from 0 to {MAX_COURANT}", brief(value))),
         None => Ok(numbers),
     }
 }
@@ -185,6 +211,16 @@ fn ratio_in_range(value: Rational) -> Result<Rational, String> {
 /// Smoothing ratios.
 pub fn ratio_list(text: &str) -> Result<Numbers, String> {
     list(text)?.0.into_iter().map(ratio_in_range).collect::<Result<_, _>>().map(Numbers)
+}
+
+/// Coefficients of viscosity.
+pub fn alphas(text: &str) -> Result<Numbers, String> {
+    list(text)?
+        .0
+        .into_iter()
+        .map(|value| within(value, 0, MAX_ALPHA))
+        .collect::<Result<_, _>>()
+        .map(Numbers)
 }
 
 /// An axis of a map: at least two ascending values.

@@ -40,6 +40,11 @@ pub fn paragraphs(lines: &[String]) -> String {
     if text.is_empty() { text } else { text + "\n" }
 }
 
+/// Warnings below a table.
+pub fn warnings(all: &[String]) -> String {
+    paragraphs(&all.iter().map(|one| format!("warning: {one}")).collect::<Vec<_>>())
+}
+
 /// A line, broken at spaces where it is long.
 fn broken(line: &str) -> String {
     let mut text = String::new();
@@ -59,7 +64,7 @@ fn broken(line: &str) -> String {
     text
 }
 
-/// Prints text; a reader that went away is reported as such.
+/// Prints text. A reader that went away is no failure: what is left of the command is done, and its answer is the same.
 pub fn print(text: &str) -> Result<Outcome, Failure> {
     print_bytes(text.as_bytes())
 }
@@ -67,9 +72,10 @@ pub fn print(text: &str) -> Result<Outcome, Failure> {
 /// Prints bytes.
 pub fn print_bytes(bytes: &[u8]) -> Result<Outcome, Failure> {
     let mut output = std::io::stdout().lock();
-    output.write_all(bytes)?;
-    output.flush()?;
-    Ok(Outcome::Yes)
+    match output.write_all(bytes).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(Outcome::Yes),
+    }
 }
 
 /// Prints one JSON object with `"schema": "courant.<command>/1"`.
@@ -94,8 +100,8 @@ pub fn print_record<T: Serialize>(
     }
 }
 
-/// A record as comma-separated values: the names of its JSON keys, nested ones as `stability.value`, above one
-/// row with all digits. What is `null` is an empty cell; the note beside it is a column as well.
+/// A record as comma-separated values: the names of its JSON keys, nested ones as `stability_value`, above one
+/// row with all digits. What is `null` is an empty cell; the note beside it is a column as well; a list is one cell.
 fn record_csv<T: Serialize>(record: &T) -> Result<String, Failure> {
     let problem = |error: serde_json::Error| Failure::Message(error.to_string());
     let text = serde_json::to_string(record).map_err(problem)?;
@@ -118,7 +124,7 @@ impl Leaves {
 
     fn append(&mut self, key: &str, inner: Self) {
         self.0.extend(inner.0.into_iter().map(|(path, value)| {
-            (if path.is_empty() { key.into() } else { format!("{key}.{path}") }, value)
+            (if path.is_empty() { key.into() } else { format!("{key}_{path}") }, value)
         }));
     }
 }
@@ -155,8 +161,8 @@ impl<'de> Visitor<'de> for LeavesVisitor {
     }
 
     fn visit_f64<E>(self, value: f64) -> Result<Leaves, E> {
-        // As JSON writes it: the shortest decimal that is this number.
-        Ok(Leaves::one(serde_json::json!(value)))
+        // The shortest decimal that is this number, without an exponent.
+        Ok(Leaves::one(value))
     }
 
     fn visit_str<E>(self, value: &str) -> Result<Leaves, E> {
@@ -172,13 +178,11 @@ impl<'de> Visitor<'de> for LeavesVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Leaves, A::Error> {
-        let mut leaves = Leaves(Vec::new());
-        let mut index = 0;
-        while let Some(inner) = items.next_element::<Leaves>()? {
-            leaves.append(&index.to_string(), inner);
-            index += 1;
+        let mut values = Vec::new();
+        while let Some(Leaves(inner)) = items.next_element()? {
+            values.extend(inner.into_iter().map(|(_, value)| value));
         }
-        Ok(leaves)
+        Ok(Leaves::one(values.join(";")))
     }
 }
 
@@ -186,7 +190,7 @@ impl<'de> Visitor<'de> for LeavesVisitor {
 pub fn table_text(table: &Table, format: Format) -> Option<String> {
     match format {
         Format::Table => {
-            let text = table.to_text();
+            let text = table.to_text_within(WIDTH);
             let (caption, rest) = text.split_once('\n')?;
             Some(format!("{}\n{rest}", broken(caption)))
         }
@@ -206,7 +210,8 @@ mod tests {
         let text = r#"{"z":1e-30,"a":{"value":null,"note":"none, \"so far\""},"list":[true,-2]}"#;
         let leaves: Leaves = serde_json::from_str(text).unwrap();
         let names: Vec<&str> = leaves.0.iter().map(|(name, _)| name.as_str()).collect();
-        assert_eq!(names, ["z", "a.value", "a.note", "list.0", "list.1"]);
+        assert_eq!(leaves.0[3].1, "true;-2");
+        assert_eq!(names, ["z", "a_value", "a_note", "list"]);
         #[derive(Serialize)]
         struct Record {
             z: f64,

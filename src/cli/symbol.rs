@@ -313,7 +313,7 @@ fn text(answer: &Answer, format: Format) -> String {
     text.push_str(&paragraphs(&lines));
     let mut facts: Vec<(&str, String)> = Vec::new();
     let equations = answer.subject.file.equations.text.trim();
-    facts.push(("equations", equations.lines().map(str::trim).collect::<Vec<_>>().join("; ")));
+    facts.push(("equations", super::list::in_a_line(equations)));
     if !answer.subject.file.source.is_empty() {
         facts.push(("source", answer.subject.file.source.clone()));
     }

@@ -1,10 +1,12 @@
 //! Particle methods as they are named on the command line, for everything about their waves.
 
+use super::subject::Kind;
 use super::{Failure, names};
 use clap::ValueEnum;
 use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
 use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::{Integrator, LatticeMethod, catalogue};
+use courant::analysis::spelling::spells;
 use courant::reports::cha_whitworth2003::published;
 use num_traits::Signed;
 
@@ -12,7 +14,7 @@ use num_traits::Signed;
 const MAX_ALPHA: i64 = 1_000_000;
 
 /// A method whose waves are known in closed form.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MethodName {
     /// Smoothed particle hydrodynamics without viscosity.
     Sph,
@@ -20,25 +22,6 @@ pub enum MethodName {
     SphAv,
     /// Godunov particle hydrodynamics, cases 1 to 3.
     Gph,
-}
-
-/// Which density of the undisturbed lattice enters the relation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum DensityName {
-    /// What the particles see: ρ0 = M Σ W.
-    Summation,
-    /// The mass per spacing: ρ0 = M/Δ.
-    #[value(aliases = ["mass", "mass-per-spacing"])]
-    Continuity,
-}
-
-impl From<DensityName> for Density {
-    fn from(name: DensityName) -> Self {
-        match name {
-            DensityName::Summation => Self::Summation,
-            DensityName::Continuity => Self::MassPerSpacing,
-        }
-    }
 }
 
 /// Which relation of Godunov particle hydrodynamics.
@@ -149,6 +132,15 @@ impl MethodName {
             Self::Gph => "gph",
         }
     }
+}
+
+/// A method by name.
+pub fn method(text: &str) -> Result<MethodName, String> {
+    let found = MethodName::ALL.into_iter().find(|method| spells(text, method.name()));
+    found.ok_or_else(|| match names::elsewhere(text, Some(Kind::Method)) {
+        Some(what) => format!("there is no such method: {what}"),
+        None => names::unknown("method", text, &MethodName::ALL.map(MethodName::name)),
+    })
 }
 
 /// An integrator by name, alias or file.

@@ -1,7 +1,7 @@
 //! Certificates: a limit together with everything needed to check it without trusting this program.
 //!
 //! A certificate states the scheme as it was typed, the polynomials that must not be negative, for each a cover of all waves by
-//! intervals above which no Bernstein coefficient is negative, and a wave that grows just above the limit.
+//! boxes above which no Bernstein coefficient is negative, and a wave that grows just above the limit.
 //! [`verify`] derives the polynomials again from the text, with a parser and an algebra of its own, and recomputes every sign;
 //! `docs/verify_certificate.py` and `docs/verify_coefficients.py` do the same in another language.
 
@@ -9,11 +9,15 @@ mod derive;
 mod number;
 mod prove;
 mod statement;
+mod torus;
 mod verify;
 
 pub use number::{End, Exact};
 pub use prove::{CertificationError, certify, certify_monotonicity, certify_stability};
 pub use statement::{IntegratorStatement, KernelStatement, Subject};
+pub use torus::{
+    CosineTerm, TorusCell, TorusInequality, TorusPiece, TorusPoint, TorusProof, TorusWave,
+};
 pub use verify::{CertificateError, Verified, verify};
 
 use serde::{Deserialize, Deserializer, Serialize};
@@ -32,10 +36,28 @@ pub struct Certificate {
     pub evidence: String,
     /// How the conditions are derived; none for monotonicity.
     pub levels: Vec<Level>,
+    /// Where it is claimed.
+    pub interval: Interval,
+    /// Why.
+    pub proof: Proof,
+}
+
+/// Why the property holds in the interval and not beyond.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Proof {
+    /// Functions of one phase, or of none.
+    Line(LineProof),
+    /// Functions of several phases.
+    Torus(TorusProof),
+}
+
+/// A proof about functions of one phase.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LineProof {
     /// What must not be negative.
     pub inequalities: Vec<StatedInequality>,
-    /// Where it is not.
-    pub interval: Interval,
     /// A wave that grows just below the interval; `None` when it begins at 0.
     #[serde(deserialize_with = "stated")]
     pub below: Option<GrowingWave>,

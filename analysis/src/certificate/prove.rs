@@ -7,10 +7,11 @@ mod conditions;
 mod ends;
 mod interval;
 mod levels;
+mod torus;
 
 use super::derive::Characteristic;
 use super::verify::CertificateError;
-use super::{Certificate, Question, Subject};
+use super::{Certificate, LineProof, Proof, Question, Subject};
 use crate::exact::rational::Rational;
 use crate::scheme::{SchemeError, Step};
 use crate::stability::{SearchPlan, StableSet};
@@ -83,6 +84,12 @@ pub fn certify_stability(
     let chi = Characteristic::new(subject, true)?;
     let levels = levels::levels(&chi, subject, &plan.growth)?;
     let derived = chi.conditions(subject, &plan.growth, &levels)?;
+    if chi.dimension > 1 {
+        decided(set)?;
+        let base = base(subject, Question::Stability, &plan.growth, &[]);
+        let base = Certificate { levels, ..base };
+        return torus::certificates(&base, &derived, &chi, set, plan);
+    }
     let conditions = derived.iter().map(|one| Condition::new(one, &chi.letters, subject));
     let conditions = conditions.collect::<Result<Vec<_>, _>>()?;
     let base = base(subject, Question::Stability, &plan.growth, &conditions);
@@ -120,11 +127,20 @@ fn base(
         growth: growth.clone().into(),
         evidence: if exact { "proved" } else { "enclosed" }.into(),
         levels: Vec::new(),
-        inequalities: conditions.iter().map(|condition| condition.stated.clone()).collect(),
         interval: ends::zero(),
-        below: None,
-        covers: Vec::new(),
-        above: None,
+        proof: Proof::Line(LineProof {
+            inequalities: Vec::new(),
+            below: None,
+            covers: Vec::new(),
+            above: None,
+        }),
+    }
+}
+
+fn decided(set: &StableSet) -> Result<(), CertificationError> {
+    match set.undecided.first() {
+        Some((from, to)) => Err(CertificationError::Undecided(format!("{from} … {to}"))),
+        None => Ok(()),
     }
 }
 
@@ -134,9 +150,7 @@ fn certificates(
     set: &StableSet,
     max: &Rational,
 ) -> Result<Vec<Certificate>, CertificationError> {
-    if let Some((from, to)) = set.undecided.first() {
-        return Err(CertificationError::Undecided(format!("{from} … {to}")));
-    }
+    decided(set)?;
     let prover = Prover::new(conditions, max);
     let mut all = Vec::new();
     if set.intervals.first().is_none_or(|first| first.from.upper() > 0.0) {

@@ -5,6 +5,8 @@ use crate::scheme::{Integrator, KernelLattice, Step, catalogue};
 use crate::stability::SearchPlan;
 use serde_json::Value;
 
+mod several_dimensions;
+
 /// Stability and, where the question is asked, monotonicity.
 fn certificates(
     file: &catalogue::SchemeFile,
@@ -39,6 +41,13 @@ fn of_text(text: &str, parameter: &str) -> Vec<Certificate> {
     let step = Step::from_text(text).unwrap();
     let subject = Subject::new(text, None, None, &step, parameter).unwrap();
     certify(&subject, &step, &SearchPlan::default()).unwrap()
+}
+
+fn line(certificate: &Certificate) -> LineProof {
+    match &certificate.proof {
+        Proof::Line(line) => line.clone(),
+        Proof::Torus(_) => panic!("several phases"),
+    }
 }
 
 #[test]
@@ -100,6 +109,15 @@ fn particle_methods_are_certified() {
     }
 }
 
+/// Of a scheme in several dimensions.
+fn of_scheme(name: &str) -> Vec<Certificate> {
+    let file = catalogue::scheme(name).unwrap();
+    let parameter = file.parameter.as_deref().unwrap();
+    let step = file.step(None, None, &[], Some(parameter)).unwrap();
+    let subject = Subject::new(&file.equations.text, None, None, &step, parameter).unwrap();
+    certify(&subject, &step, &SearchPlan::default()).unwrap()
+}
+
 #[test]
 fn growth_budgets_are_certified() {
     let file = catalogue::scheme("lax-wendroff-sph").unwrap();
@@ -137,7 +155,7 @@ fn squares_and_weights_are_taken_out_and_stated() {
         d.replace('u', "m") + "/4"
     );
     let all = of_text(&text, "C");
-    assert_eq!(all[0].inequalities[0].square, [[ratio(-1, 2).into(), integer(1).into()]]);
+    assert_eq!(line(&all[0]).inequalities[0].square, [[ratio(-1, 2).into(), integer(1).into()]]);
     assert_eq!(statements(&all), ["|z| <= 1 + 0 for all waves up to C = 2 and not just above"]);
 }
 
@@ -160,8 +178,10 @@ fn a_wrong_limit_cannot_be_certified() {
         certificates(file, Some((Kernel::CubicSpline, integer(2))), None, &plan).remove(0);
     let end = End::Fraction(ratio(19, 10));
     wrong.interval = Interval { lower: end.clone(), upper: Some(end.clone()), ..wrong.interval };
-    wrong.covers[0].pieces[0].end = end;
-    wrong.above.as_mut().unwrap().wave.value = Exact(ratio(19, 10) * ratio((1 << 20) + 1, 1 << 20));
+    let mut proof = line(&wrong);
+    proof.covers[0].pieces[0].end = end;
+    proof.above.as_mut().unwrap().wave.value = Exact(ratio(19, 10) * ratio((1 << 20) + 1, 1 << 20));
+    wrong.proof = Proof::Line(proof);
     assert_eq!(verify(&wrong).unwrap_err().0, "a box is not decided");
 }
 
@@ -188,13 +208,17 @@ fn place<'v>(value: &'v mut Value, path: &[Value]) -> &'v mut Value {
 fn what_is_malformed_is_refused() {
     let file = catalogue::scheme("godunov-sph").unwrap();
     let kernel = Some((Kernel::CubicSpline, integer(2)));
-    let valid = certificates(file, kernel, None, &SearchPlan::default()).remove(0);
-    let valid = serde_json::to_value(&valid).unwrap();
-    judged(&valid).unwrap();
+    let line = certificates(file, kernel, None, &SearchPlan::default()).remove(0);
+    let torus = of_scheme("donor-cell-2d").remove(0);
+    let [line, torus] = [line, torus].map(|valid| serde_json::to_value(&valid).unwrap());
+    judged(&line).unwrap();
+    judged(&torus).unwrap();
     let changes: Vec<Value> = serde_json::from_str(include_str!("malformed.json")).unwrap();
     for change in changes {
-        let mut changed = valid.clone();
-        *place(&mut changed, change["path"].as_array().unwrap()) = match &change["repeated"] {
+        let path = change["path"].as_array().unwrap();
+        let on_torus = path.get(1).is_some_and(|key| key == "torus");
+        let mut changed = if on_torus { torus.clone() } else { line.clone() };
+        *place(&mut changed, path) = match &change["repeated"] {
             // Parts of a long text, each with how often it stands there.
             Value::Array(parts) => parts
                 .iter()
@@ -205,6 +229,7 @@ fn what_is_malformed_is_refused() {
         };
         assert!(judged(&changed).is_err(), "{}", change["name"]);
     }
+    let valid = line;
     let text = valid.to_string();
     let twice = text.replacen("\"growth\":\"0\"", "\"growth\":\"0\",\"growth\":\"0\"", 1);
     assert!(twice != text && serde_json::from_str::<Certificate>(&twice).is_err());
@@ -298,6 +323,7 @@ fn examples() -> Vec<Certificate> {
     }
     let space = catalogue::space("diffusion-2").unwrap();
     all.extend(certificates(space, None, Some("rk2-heun"), &plan));
+    all.extend(["lax-wendroff-2d", "heat-ftcs-3d"].into_iter().flat_map(of_scheme));
     all
 }
 
@@ -319,10 +345,10 @@ proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig::with_cases(64))]
     #[test]
     fn several_changes_at_once_are_refused_or_prove_the_same(
-        which in 0usize..6, picks in proptest::collection::vec(0usize..1_000_000, 2..4)
+        which in 0usize..12, picks in proptest::collection::vec(0usize..1_000_000, 2..4)
     ) {
         static EXAMPLES: std::sync::LazyLock<Vec<Certificate>> = std::sync::LazyLock::new(examples);
-        let original = &EXAMPLES[which];
+        let original = &EXAMPLES[which % EXAMPLES.len()];
         let mut value = serde_json::to_value(original).unwrap();
         for pick in picks {
             let all = mutations(&value);

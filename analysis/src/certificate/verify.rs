@@ -6,13 +6,15 @@
 
 mod arithmetic;
 pub(super) mod compare;
+mod cube;
 mod form;
 mod inequality;
+mod line;
+pub(super) mod torus;
 
 use super::derive::Characteristic;
-use super::{Certificate, End, Question};
+use super::{Certificate, End, Proof, Question};
 use crate::exact::rational::Rational;
-use inequality::Checked;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 use thiserror::Error;
@@ -77,29 +79,41 @@ fn check_polynomials(certificate: &Certificate) -> Result<(), CertificateError> 
         ensure(growth.is_zero() && levels.is_empty(), "no growth and no level here")?;
         chi.monotonicity()?
     };
-    let stated = &certificate.inequalities;
-    let same = derived.len() == stated.len()
-        && derived.iter().zip(stated).all(|(derived, stated)| {
-            (derived.level, &derived.condition) == (stated.level, &stated.condition)
-        });
-    ensure(same, "the conditions are others")?;
+    let own: Vec<(usize, &String)> =
+        derived.iter().map(|one| (one.level, &one.condition)).collect();
+    let same = |stated: Vec<(usize, &String)>| ensure(own == stated, "the conditions are others");
     let mut all_exact = true;
-    for (derived, stated) in derived.iter().zip(stated) {
-        all_exact &= compare::compare(&derived.polynomial, &chi.letters, stated)?;
+    match &certificate.proof {
+        Proof::Line(line) => {
+            same(line.inequalities.iter().map(|one| (one.level, &one.condition)).collect())?;
+            for (derived, stated) in derived.iter().zip(&line.inequalities) {
+                all_exact &= compare::compare(&derived.polynomial, &chi.letters, stated)?;
+            }
+        }
+        Proof::Torus(torus) => {
+            same(torus.inequalities.iter().map(|one| (one.level, &one.condition)).collect())?;
+            for (derived, stated) in derived.iter().zip(&torus.inequalities) {
+                torus::compare(derived, &chi, &certificate.subject, stated)?;
+            }
+        }
     }
     let word = if all_exact { "proved" } else { "enclosed" };
     ensure(certificate.evidence == word, "the evidence is not the one the radii give")
 }
 
+/// What a proof shows, each value of the parameter by its square.
+#[derive(Debug, Default)]
+struct Shown {
+    /// Where each cover begins and ends; `None` for those without end.
+    covers: Vec<(Rational, Option<Rational>)>,
+    boxes: usize,
+    /// Where the waves outside grow.
+    below: Option<Rational>,
+    above: Option<Rational>,
+}
+
 /// Whether the interval follows from the polynomials; how many boxes it took.
 fn check_interval(certificate: &Certificate) -> Result<usize, CertificateError> {
-    let inequalities = certificate.inequalities.iter().map(Checked::new);
-    let inequalities = inequalities.collect::<Result<Vec<_>, _>>()?;
-    let inequality = |number: usize| {
-        inequalities
-            .get(number)
-            .ok_or_else(|| CertificateError("there is no such inequality".into()))
-    };
     let interval = &certificate.interval;
     let negative = |end: &End| matches!(end, End::Fraction(value) if value.is_negative());
     let ends = [Some(&interval.begin), Some(&interval.lower), interval.upper.as_ref()];
@@ -115,53 +129,42 @@ fn check_interval(certificate: &Certificate) -> Result<usize, CertificateError> 
         lower.as_ref().is_none_or(|lower| begin < *lower || nothing && begin.is_zero()),
         "the interval ends before it begins",
     )?;
-    let covers = if nothing { 0 } else { inequalities.len() };
-    ensure(certificate.covers.len() == covers, "a cover for each inequality")?;
-    let mut boxes = 0;
-    for (inequality, cover) in inequalities.iter().zip(&certificate.covers) {
-        let (low, high) = inequality.holds(cover)?;
-        let reaches = match (&lower, &high) {
+    let shown = match &certificate.proof {
+        Proof::Line(line) => line::shown(line, interval)?,
+        Proof::Torus(torus) => torus::shown(torus, interval)?,
+    };
+    for (low, high) in &shown.covers {
+        let reaches = match (&lower, high) {
             (_, None) => true,
             (None, Some(_)) => false,
             (Some(lower), Some(high)) => lower <= high,
         };
-        ensure(low <= begin && reaches, "an interval is not covered")?;
-        boxes += cover.pieces.iter().map(|piece| piece.waves.len()).sum::<usize>();
+        ensure(*low <= begin && reaches, "an interval is not covered")?;
     }
-    match &certificate.below {
+    match shown.below {
         None => ensure(begin.is_zero(), "the interval begins above 0 without a reason")?,
-        Some(wave) => {
-            let gap = &begin - inequality(wave.inequality)?.grows(wave)?;
+        Some(square) => {
+            let gap = &begin - square;
             let near = gap.is_positive() && gap <= &begin * nearness(16);
             ensure(near, "the first wave is not just below the interval")?;
         }
     }
-    let Some(claim) = &certificate.above else {
+    let Some(grows) = shown.above else {
         ensure(interval.upper.is_none(), "an upper end comes with a growing wave")?;
-        return Ok(boxes);
+        return Ok(shown.boxes);
     };
-    let upper = interval.upper.as_ref().and_then(|upper| Some((upper, upper.square()?)));
-    let (Some((upper, square)), Some(lower)) = (upper, lower) else {
+    let (Some(square), Some(lower)) = (interval.upper.as_ref().and_then(End::square), lower) else {
         return Err(CertificateError("a growing wave comes with an upper end".into()));
     };
     ensure(
         lower <= square && &square - &lower <= &lower * nearness(18),
         "the ends of the limit are far apart",
     )?;
-    let inequality = inequality(claim.wave.inequality)?;
-    let gap = inequality.grows(&claim.wave)? - &square;
-    let scale = if square.is_zero() { Rational::one() } else { square.clone() };
+    let gap = grows - &square;
+    let scale = if square.is_zero() { Rational::one() } else { square };
     let near = gap.is_positive() && gap <= scale * nearness(16);
     ensure(near, "the wave is not just above the limit")?;
-    let t = match upper {
-        End::Fraction(value) if inequality.stride == 1 => value.clone(),
-        _ => {
-            ensure(inequality.stride == 2, "t is no fraction")?;
-            square
-        }
-    };
-    inequality.turns_negative(&claim.s.0, &t, &claim.wave.value.0)?;
-    Ok(boxes)
+    Ok(shown.boxes)
 }
 
 fn nearness(bits: u32) -> Rational {

@@ -5,8 +5,9 @@
 mod chart;
 mod sign;
 
-pub(crate) use chart::{Origin, vanishing_axes};
+pub(crate) use chart::{Origin, separating_axis, vanishing_axes};
 pub use sign::{CubeSign, sign_on_cube};
+pub(crate) use sign::{Cut, cuts_of_cube};
 
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;

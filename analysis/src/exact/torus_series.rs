@@ -134,6 +134,28 @@ impl DenseSeries<f64> {
     }
 }
 
+impl DenseSeries<f64> {
+    /// `Σ_a d_a ∂/∂φ_a` of the series at these phases, term by term.
+    pub(crate) fn slope(&self, phases: &[f64], direction: &[f64]) -> f64 {
+        let term = |(place, value): (usize, &f64)| -> f64 {
+            let mut rest = place;
+            let mut orders = vec![0.0; self.lengths.len()];
+            for (order, length) in orders.iter_mut().zip(&self.lengths).rev() {
+                (*order, rest) = ((rest % length) as f64, rest / length);
+            }
+            let along = |axis: usize| {
+                let factor = |b: usize| match (orders[b] * phases[b]).sin_cos() {
+                    (sine, _) if b == axis => -orders[b] * sine,
+                    (_, cosine) => cosine,
+                };
+                direction[axis] * (0..orders.len()).map(factor).product::<f64>()
+            };
+            value * (0..orders.len()).map(along).sum::<f64>()
+        };
+        self.values.iter().enumerate().filter(|(_, value)| **value != 0.0).map(term).sum()
+    }
+}
+
 fn nested(values: &[f64], lengths: &[usize], axis: usize, cosine: &impl Fn(usize) -> f64) -> f64 {
     let Some((_, inner @ [_, ..])) = lengths.split_first() else {
         return clenshaw(values.iter().copied(), cosine(axis));

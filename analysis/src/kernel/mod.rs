@@ -18,6 +18,7 @@ pub use piecewise::{Piece, PiecewisePolynomial};
 
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, ratio, to_f64};
+use crate::spelling::spells;
 use num_traits::Zero;
 use std::sync::LazyLock;
 
@@ -193,10 +194,10 @@ impl std::fmt::Display for Kernel {
 impl std::str::FromStr for Kernel {
     type Err = UnknownKernel;
     fn from_str(text: &str) -> Result<Self, UnknownKernel> {
-        let wanted = text.trim().to_ascii_lowercase();
+        let is_it = |name: &str| spells(text, name);
         Self::ALL
             .into_iter()
-            .find(|kernel| kernel.name() == wanted || kernel.aliases().contains(&wanted.as_str()))
+            .find(|kernel| is_it(kernel.name()) || kernel.aliases().iter().any(|name| is_it(name)))
             .ok_or_else(|| UnknownKernel(text.into()))
     }
 }

@@ -11,6 +11,7 @@ use crate::scheme::linear::constant;
 use crate::scheme::lines::Lines;
 use crate::scheme::names::Names;
 use crate::scheme::step::{SchemeError, Step};
+use crate::spelling::spells;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -347,31 +348,30 @@ pub fn integrators() -> &'static [Integrator] {
 
 /// A scheme by name.
 pub fn scheme(name: &str) -> Option<&'static SchemeFile> {
-    schemes().iter().find(|scheme| scheme.name == name)
+    schemes().iter().find(|scheme| spells(name, &scheme.name))
 }
 
 /// A space by name.
 pub fn space(name: &str) -> Option<&'static SchemeFile> {
-    spaces().iter().find(|space| space.name == name)
+    spaces().iter().find(|space| spells(name, &space.name))
 }
 
 /// A particle method by name.
 pub fn method(name: &str) -> Option<&'static SchemeFile> {
-    methods().iter().find(|method| method.name == name)
+    methods().iter().find(|method| spells(name, &method.name))
 }
 
 impl Integrator {
     /// An integrator of the catalogue by its name or another accepted one.
     pub fn named(name: &str) -> Option<&'static Self> {
-        let wanted = name.trim().to_ascii_lowercase();
-        let is_it = |one: &&Self| one.name == wanted || one.aliases.contains(&wanted);
-        integrators().iter().find(is_it)
+        let is_it = |known: &String| spells(name, known);
+        integrators().iter().find(|one| is_it(&one.name) || one.aliases.iter().any(is_it))
     }
 
     /// The same as particle codes say it: `leapfrog` is kick–drift–kick there.
     pub fn for_particles(name: &str) -> Option<&'static Self> {
-        let wanted = name.trim().to_ascii_lowercase();
-        let theirs = integrators().iter().find(|one| one.method_aliases.contains(&wanted));
+        let is_it = |known: &String| spells(name, known);
+        let theirs = integrators().iter().find(|one| one.method_aliases.iter().any(is_it));
         theirs.or_else(|| Self::named(name))
     }
 }

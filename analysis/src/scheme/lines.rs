@@ -239,6 +239,7 @@ impl Step {
             names,
             denominators: space.denominators.clone(),
             set: space.set.clone(),
+            measured: false,
         })
     }
 }

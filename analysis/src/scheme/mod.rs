@@ -8,6 +8,7 @@ pub mod language;
 mod lattice_method;
 mod linear;
 mod lines;
+pub mod measurement;
 mod names;
 mod one_step;
 mod step;

@@ -33,6 +33,8 @@ pub struct Step {
     /// What equations were multiplied by; where one vanishes the scheme is not defined.
     pub(crate) denominators: Vec<Laurent>,
     pub(crate) set: Vec<(String, Rational)>,
+    /// Whether its coefficients were measured on a running code: nothing about it is then proved.
+    pub(crate) measured: bool,
 }
 
 /// Why something is no scheme, or why nothing can be said about it.
@@ -140,6 +142,7 @@ impl Step {
             names: linear.names,
             denominators: rows.denominators,
             set: Vec::new(),
+            measured: false,
         })
     }
 

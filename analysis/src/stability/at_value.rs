@@ -20,7 +20,7 @@ pub(crate) enum DemandsAt {
     /// The same in two and three dimensions.
     OnTorus(Vec<TorusInequality>),
     /// What cannot be.
-    Nowhere,
+    Nowhere(usize),
     /// What is not known.
     Unknown,
 }
@@ -40,7 +40,7 @@ impl DemandsAt {
     /// Of demands without a parameter.
     pub(crate) fn new(demands: &Demands) -> Self {
         match demands {
-            Demands::Nowhere => Self::Nowhere,
+            Demands::Nowhere(dimension) => Self::Nowhere(*dimension),
             Demands::Unknown => Self::Unknown,
             Demands::OnTorus(demands) => Self::OnTorus(demands.inequalities.clone()),
             Demands::All(all) => {
@@ -76,7 +76,9 @@ impl DemandsAt {
         let all = match self {
             Self::All(all) => all,
             Self::OnTorus(all) => return decide_on_torus(all),
-            Self::Nowhere => return PointVerdict::Unstable(Wave::along_a_line(FRAC_PI_2)),
+            Self::Nowhere(dimension) => {
+                return PointVerdict::Unstable(Wave::new(vec![FRAC_PI_2; *dimension]));
+            }
             Self::Unknown => return PointVerdict::Undecided,
         };
         let mut undecided = false;

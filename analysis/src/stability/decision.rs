@@ -42,7 +42,7 @@ pub enum Demands {
     /// All of these, in two and three dimensions.
     OnTorus(TorusDemands),
     /// What cannot be: a multiplier lies outside for every wave and every value.
-    Nowhere,
+    Nowhere(usize),
     /// What is not known: see [`Conditions::undecided`].
     Unknown,
 }
@@ -136,7 +136,7 @@ impl Step {
         plan: &SearchPlan,
     ) -> Result<StableSet, SchemeError> {
         let mut set = match demands {
-            Demands::Nowhere => nowhere(),
+            Demands::Nowhere(dimension) => nowhere(*dimension),
             Demands::Unknown => unknown(plan),
             Demands::All(inequalities) => intersection(inequalities, plan),
             Demands::OnTorus(demands) => stable_set_on_torus(demands, plan),
@@ -145,8 +145,9 @@ impl Step {
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
         if set.immediately_unstable.is_some() && !one {
             let small = Rational::new(BigInt::one(), BigInt::from(SMALL));
-            let growth = growth_at(&self.with(parameter, &small)?)?;
-            if growth.per_step > 0.0 {
+            let growth = self.with(parameter, &small).and_then(|small| growth_at(&small));
+            // Measured, only to name a wave: what was decided stands without it.
+            if let Some(growth) = growth.ok().filter(|growth| growth.per_step > 0.0) {
                 set.immediately_unstable = Some(growth.wave);
             }
         }
@@ -156,7 +157,8 @@ impl Step {
                 decide_step_at(&at_zero, &plan.growth) == Ok(PointVerdict::Stable)
             });
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
-        if plan.growth.is_zero() { set.with_ends(self, parameter) } else { Ok(set) }
+        let set = if plan.growth.is_zero() { set.with_ends(self, parameter)? } else { set };
+        Ok(set.of_step(self))
     }
 
     /// The conditions for `|z| ≤ 1 + growth` as polynomials in the wave and one parameter.
@@ -195,7 +197,7 @@ impl Step {
         }
         let conditions = Conditions::new(&characteristic, growth, &self.names);
         if conditions.nowhere {
-            return Ok(Demands::Nowhere);
+            return Ok(Demands::Nowhere(1));
         }
         if conditions.undecided {
             return Ok(Demands::Unknown);
@@ -230,7 +232,7 @@ impl Step {
             None => {
                 let conditions = Conditions::new(characteristic, growth, &self.names);
                 if conditions.nowhere {
-                    return Demands::Nowhere;
+                    return Demands::Nowhere(self.dimension);
                 }
                 if conditions.undecided {
                     return Demands::Unknown;

@@ -13,12 +13,12 @@ use crate::stability::critical::{resolving_phases, sampled_unstable_set};
 use num_traits::{Signed, Zero};
 
 /// Stable nowhere: some multiplier is outside whatever the wave and the value.
-pub(super) fn nowhere() -> StableSet {
+pub(super) fn nowhere(dimension: usize) -> StableSet {
     StableSet {
         intervals: Vec::new(),
         undecided: Vec::new(),
         // Any wave will do.
-        immediately_unstable: Some(Wave::along_a_line(std::f64::consts::FRAC_PI_2)),
+        immediately_unstable: Some(Wave::new(vec![std::f64::consts::FRAC_PI_2; dimension])),
         immediate_binding: None,
         immediate_offset: None,
         neutral: false,
@@ -34,7 +34,7 @@ pub(super) fn unknown(plan: &SearchPlan) -> StableSet {
         undecided: vec![(0.0, to_f64(&plan.max))],
         immediately_unstable: None,
         evidence: Evidence::Undecided,
-        ..nowhere()
+        ..nowhere(1)
     }
 }
 

@@ -26,6 +26,8 @@ pub enum Evidence {
         /// How many phases were looked at.
         phases: usize,
     },
+    /// Decided in exact arithmetic for coefficients that were measured on a running code.
+    Measured,
     /// The property holds up to the lower end; beyond it nothing is known, up to the upper end.
     Undecided,
 }
@@ -37,8 +39,14 @@ impl Evidence {
             Self::Proved => "proved",
             Self::Enclosed => "enclosed",
             Self::Sampled { .. } => "sampled",
+            Self::Measured => "measured",
             Self::Undecided => "undecided",
         }
+    }
+
+    /// The same of coefficients that were measured.
+    fn measured(self) -> Self {
+        if self == Self::Undecided { self } else { Self::Measured }
     }
 }
 
@@ -221,6 +229,11 @@ impl Limit {
 
     pub(crate) fn included_if(self, included: bool) -> Self {
         Self { included, ..self }
+    }
+
+    /// Of coefficients that were measured: what is not undecided is measured.
+    pub(crate) fn measured(self) -> Self {
+        Self { evidence: self.evidence.measured(), ..self }
     }
 
     pub(crate) fn at_phase(self, phase: f64) -> Self {

@@ -135,7 +135,7 @@ fn on_cells(margin: &Margin) -> Onset {
             .filter_map(|power| {
                 on_edge(power).filter(|(_, value)| *value != 0.0).map(|(k, _)| (power, k))
             })
-            .last()
+            .next_back()
         else {
             break;
         };
@@ -151,9 +151,10 @@ mod tests {
 
     /// The largest parameter at which the margin is not negative on the longest wave of a ring.
     fn on_ring(margin: &Margin, cells: usize) -> f64 {
-        let mut powers = Vec::new();
-        let compiled = margin.compile();
-        compiled.powers_at(TAU / cells as f64, &mut powers);
+        // In powers of s, which keep the digits of long waves.
+        let s = (0.5 * TAU / cells as f64).sin().powi(2);
+        let at = |power| margin.coefficient(power).in_powers_of_s().map(to_f64).evaluate(&s);
+        let powers: Vec<f64> = (0..margin.powers()).map(at).collect();
         negative_intervals(&powers, 1.0)[0].0.powf(1.0 / margin.stride() as f64)
     }
 

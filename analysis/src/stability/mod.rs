@@ -9,6 +9,7 @@ mod cylinder;
 mod decision;
 mod inequality;
 mod intersection;
+mod judgement;
 mod limit;
 mod limit_on_cells;
 pub mod margin;
@@ -28,6 +29,7 @@ pub use conditions::{Condition, Conditions, Requirement};
 pub use decision::{Demands, SearchPlan, decide_step_at};
 pub use inequality::Inequality;
 pub(crate) use inequality::{even_series, symmetric};
+pub use judgement::{Judgement, judge};
 pub use limit::{Binding, Cause, Evidence, ExactValue, Limit};
 pub use limit_on_cells::{LimitOnCells, Refinement};
 pub use multiplicity::{MultipleMultiplier, Multiplicity, multiplicity_at};
@@ -42,4 +44,7 @@ pub(crate) use stable_set::{
     search_within,
 };
 pub use torus::TorusDemands;
+pub(crate) use torus::{
+    Cell, Edge, ExactSpot, StableStretch, StretchEnd, Turn, stretches_on_torus, whole_cells,
+};
 pub use wave::Wave;

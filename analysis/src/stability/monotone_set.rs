@@ -112,7 +112,7 @@ impl Step {
         {
             last.to = Limit::unbounded(&plan.max, evidence);
         }
-        Ok(Some(set))
+        Ok(Some(set.of_step(self)))
     }
 }
 

@@ -169,17 +169,10 @@ mod tests {
         // 2 − 2C − C E: the longest at 2/3 and the shortest at 2, ascending.
         let both = "2*u[n+1,j] - 2*C*u[n+1,j] - C*u[n+1,j+1] = u[n,j]";
         assert_eq!(singular(both), [at(ratio(2, 3), 0.0), at(integer(2), PI)]);
-        // The same root for every wave is no fraction, and named once for each end.
-        let irrational = singular("(1 - 2*C^2)*u[n+1,j] = u[n,j]");
-        assert_eq!(
-            irrational.iter().map(|one| one.phase).collect::<Vec<_>>(),
-            [Some(0.0), Some(PI)]
-        );
-        assert!(
-            irrational
-                .iter()
-                .all(|one| one.exact.is_none() && (one.value - 0.5f64.sqrt()).abs() < 1e-15)
-        );
+        // The same root for every wave is no fraction, and named once, without a wave.
+        let [irrational] = &singular("(1 - 2*C^2)*u[n+1,j] = u[n,j]")[..] else { panic!() };
+        assert!(irrational.phase.is_none() && irrational.exact.is_none());
+        assert!((irrational.value - 0.5f64.sqrt()).abs() < 1e-15);
     }
 
     #[test]
@@ -197,7 +190,7 @@ mod tests {
         }
         // C − s: every wave has its own singular value, from 0 on; the shortest has 1.
         let at_once = "C*u[n+1,j] + (u[n+1,j+1] - 2*u[n+1,j] + u[n+1,j-1])/4 = u[n,j]";
-        assert_eq!(singular(at_once), [at(integer(1), PI)]);
+        assert_eq!(singular(at_once), [at(integer(0), 0.0), at(integer(1), PI)]);
         // 1 + 2iC sin φ is real after no shift.
         let not_real = "u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j-1]) = u[n,j]";
         assert!(singular(not_real).is_empty());

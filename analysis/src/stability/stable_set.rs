@@ -13,6 +13,7 @@ mod unstable_stretch;
 use super::{Binding, Evidence, ExactValue, Limit, Wave};
 use crate::exact::bernstein::Work;
 use crate::exact::rational::{Rational, from_f64, to_f64};
+use crate::scheme::Step;
 use crate::stability::margin::Margin;
 pub(crate) use edge::fraction_or_root;
 use num_traits::{One, Zero};
@@ -81,6 +82,18 @@ impl StableSet {
                 }
             }
         }
+    }
+
+    /// The set of a step: what its coefficients are known by stands behind it.
+    pub(crate) fn of_step(mut self, step: &Step) -> Self {
+        if step.measured {
+            self.evidence = Evidence::Measured;
+            for interval in &mut self.intervals {
+                let StableInterval { from, to } = interval.clone();
+                *interval = StableInterval { from: from.measured(), to: to.measured() };
+            }
+        }
+        self
     }
 
     /// Whether a Courant number lies in a stable interval; at an end that is enclosed and not exact,

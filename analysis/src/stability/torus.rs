@@ -12,14 +12,16 @@ mod search;
 mod walk;
 
 pub(crate) use at_value::decide_on_torus;
-pub(crate) use walk::stable_set_on_torus;
+pub(crate) use piece::{Turn, whole_cells};
+pub(crate) use search::{Edge, ExactSpot};
+pub(crate) use walk::{StableStretch, StretchEnd, stable_set_on_torus, stretches_on_torus};
 
 use super::Binding;
 use super::conditions::Requirement;
 use crate::exact::laurent::Laurent;
 use crate::exact::laurent::Variable;
 use crate::exact::tensor::{CubeSign, sign_on_cube};
-use cell::Cell;
+pub(crate) use cell::Cell;
 
 /// Boxes that the sign of a factor without the parameter may take.
 const FACTOR_BOXES: usize = 4000;
@@ -77,12 +79,14 @@ impl TorusInequality {
             if let Some(common) = common.filter(|p| p.as_constant().is_none())
                 && let Some(rest) = polynomial.divide_exactly(&common)
             {
-                match (is_nowhere_negative(&common, dimension)?, ()) {
-                    (Some(true), ()) => polynomial = rest,
-                    (found, ()) => match is_nowhere_negative(&-common, dimension)? {
+                let plus = is_nowhere_negative(&common, dimension)?;
+                if plus == Some(true) {
+                    polynomial = rest;
+                } else {
+                    match is_nowhere_negative(&-common, dimension)? {
                         Some(true) => polynomial = -rest,
-                        _ => whatever_the_step = found == Some(false),
-                    },
+                        minus => whatever_the_step = plus == Some(false) && minus == Some(false),
+                    }
                 }
             }
         }

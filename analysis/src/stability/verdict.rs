@@ -129,11 +129,7 @@ pub fn check(
     } else {
         demands.decide()
     };
-    let witness = match &decided {
-        PointVerdict::Unstable(wave) => Some(wave),
-        _ => None,
-    };
-    let growth = growth_under(&at_value, &demands, witness)?;
+    let growth = growth_under(&at_value, &demands, &decided)?;
     let multiplicity = match decided {
         PointVerdict::Stable => multiplicity_among(&at_value, stable_set.limit().critical_wave())?,
         _ => Default::default(),

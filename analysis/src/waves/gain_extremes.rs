@@ -15,11 +15,11 @@ const SMALL: f64 = 1e-4;
 pub struct GainExtremes {
     /// `max_φ |z| − 1`. Infinite where the step cannot be solved for some wave.
     pub growth: Vec<f64>,
-    /// Where it is taken, in radians, in one dimension; empty in several.
+    /// Where it is taken, in radians, in one dimension; no number in several.
     pub growth_phase: Vec<f64>,
     /// `min_φ |z|` of the largest multiplier: what is left of the most damped wave.
     pub lowest_gain: Vec<f64>,
-    /// Where it is taken, in radians, in one dimension; empty in several.
+    /// Where it is taken, in radians, in one dimension; no number in several.
     pub lowest_gain_phase: Vec<f64>,
 }
 
@@ -61,7 +61,8 @@ fn of_compiled(compiled: &CompiledStep, values: &[f64]) -> (GainExtremes, Work) 
         let gains = GainExtremes {
             growth: found.iter().map(|pair| growth_from_excess(pair[0]) + 0.0).collect(),
             lowest_gain: found.iter().map(|pair| 1.0 + growth_from_excess(pair[1])).collect(),
-            ..GainExtremes::default()
+            growth_phase: vec![f64::NAN; values.len()],
+            lowest_gain_phase: vec![f64::NAN; values.len()],
         };
         return (gains, Work::default());
     }

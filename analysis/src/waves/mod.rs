@@ -2,13 +2,17 @@
 
 pub mod accuracy;
 pub(crate) mod bands;
+pub mod branches;
 pub mod dispersion;
 pub(crate) mod envelope;
+pub mod exact_wave;
+mod follow;
 pub mod gain_extremes;
 pub mod long_waves;
 pub mod modified_equation;
 pub mod multipliers;
 pub(crate) mod precise;
+pub mod resolution;
 mod roots;
 mod sampled_gain;
 pub mod step_growth;

@@ -14,6 +14,7 @@ use std::f64::consts::PI;
 
 mod errors;
 mod one_parameter;
+mod slopes;
 
 pub use errors::WavePolynomial;
 

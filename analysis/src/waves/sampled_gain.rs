@@ -122,7 +122,7 @@ impl<'a> SampledGain<'a> {
         let mut found = at(self.phases[first]);
         let lowest = samples.iter().copied().fold(f64::INFINITY, f64::min);
         let noise = PLATEAU * (1.0 + best.abs());
-        if !(best - lowest > noise) || !best.is_finite() {
+        if best - lowest <= noise || !best.is_finite() || lowest.is_nan() {
             return found;
         }
         let threshold = best - SLACK * (best - lowest);

@@ -84,7 +84,8 @@ impl Growth {
 
 /// The largest `|z|` over all waves of a step whose parameters all have values: relative error of `|z| − 1` below `1e-9`. Between
 /// neighbouring zeros of the stability conditions, which are isolated exactly, `|z|` is sampled and refined; no band of growing
-/// waves is missed, however narrow. Where enclosures enter, their middle is meant.
+/// waves is missed, however narrow. Where enclosures enter, their middle is meant. In two and three dimensions waves are sampled on a grid and
+/// refined, from a wave that was proved to grow as well: there the growth is measured, that there is some is proved.
 ///
 /// ```
 /// use courant_analysis::{exact::rational::parse, scheme::Step, waves::growth_at};
@@ -96,7 +97,7 @@ impl Growth {
 /// ```
 ///
 /// # Errors
-/// When a parameter has no value, or in more than one space dimension.
+/// When a parameter has no value.
 pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
@@ -104,21 +105,17 @@ pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
     }
     let step = step.expanded().unwrap_or_else(|| step.clone());
     let demands = DemandsAt::new(&step.inequalities_in(None, &Rational::zero())?);
-    let witness = match demands.decide() {
-        PointVerdict::Unstable(wave) => Some(wave),
-        _ => None,
-    };
-    growth_under(&step, &demands, witness.as_ref())
+    growth_under(&step, &demands, &demands.decide())
 }
 
-/// [`growth_at`] with the conditions known, and a wave that was proved to grow if one was.
+/// [`growth_at`] with the conditions known, and what they decide.
 pub(crate) fn growth_under(
     step: &Step,
     demands: &DemandsAt,
-    witness: Option<&Wave>,
+    decided: &PointVerdict<Wave>,
 ) -> Result<Growth, SchemeError> {
     if step.dimension() > 1 {
-        return growth_on_torus(step, witness);
+        return growth_on_torus(step, decided);
     }
     let chi = primitive_characteristic(step)?;
     let terms = difference_terms(&chi);
@@ -131,7 +128,7 @@ pub(crate) fn growth_under(
         DemandsAt::All(all) => {
             cells(all.iter().map(DemandAt::zeros), zeros_of_discriminant(step, &chi))
         }
-        DemandsAt::Nowhere => whole(true),
+        DemandsAt::Nowhere(_) => whole(true),
         DemandsAt::Unknown | DemandsAt::OnTorus(_) => whole(false),
     };
     let grows = cells.iter().any(|cell| cell.grows);

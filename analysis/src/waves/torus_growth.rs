@@ -7,7 +7,7 @@ use super::wave_terms::{difference_terms, primitive_characteristic};
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::rational::{Rational, from_f64, integer};
 use crate::scheme::{SchemeError, Step};
-use crate::stability::Wave;
+use crate::stability::{PointVerdict, Wave};
 use std::f64::consts::{PI, TAU};
 
 /// Samples along an axis for each order of a cosine; at least and at most, by dimension.
@@ -21,17 +21,37 @@ const CANDIDATES: usize = 6;
 /// Steps of the refinement end at this share of the first one: the value is then wrong by the square of it.
 const FINE: f64 = 1e-7;
 
+/// Phases below this share of the spacing of samples are those of a long wave.
+const LONG: f64 = 0.01;
+
+/// Lengths of long waves that are looked at in the direction of one that was proved to grow, each 0.7 of the phase of the last.
+const LONG_WAVES: usize = 80;
+
+/// `|z|² − 1` above this is more than roundings.
+const SEEN: f64 = 1e-9;
+
+/// Rounds about all neighbours of one refinement at most.
+const MOST_PASSES: usize = 80;
+
 /// Bits of the arithmetic of the refinement: 38 digits.
 const BITS: u32 = 128;
 
 /// The largest `|z|` over all waves of a step whose parameters have values: sampled on a grid and refined, from the witness of an
 /// instability too, so that a narrow band that was proved to grow is not missed. Measured, not proved.
-pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Growth, SchemeError> {
+pub(super) fn growth_on_torus(
+    step: &Step,
+    decided: &PointVerdict<Wave>,
+) -> Result<Growth, SchemeError> {
+    let witness = match decided {
+        PointVerdict::Unstable(wave) => Some(wave),
+        _ => None,
+    };
     let terms = difference_terms(&primitive_characteristic(step)?);
     let compiled = CompiledStep::new(step, &terms);
     let precise = PreciseStep::new(step, &terms, BITS);
-    let stable = witness.is_none();
-    if stable && let Some(neutral) = neutral(&precise, step.dimension()) {
+    if *decided == PointVerdict::Stable
+        && let Some(neutral) = neutral(&precise, step.dimension())
+    {
         return Ok(neutral);
     }
     let at = step.dimension() - 1;
@@ -59,18 +79,28 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
         }
     }
     let from_samples = apart.into_iter().map(|phases| (phases, spacing));
-    // A long wave stands for all long ones in its direction.
-    let from_witness = witness.map(|wave| match wave.phases().iter().all(|phase| *phase == 0.0) {
-        true => (wave.direction().iter().map(|x| x * spacing).collect(), 0.5 * spacing),
-        false => {
-            let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
-            (wave.phases().to_vec(), spacing.min(0.5 * size))
-        }
-    });
+    let from_witness =
+        witness.map(|wave: &Wave| match wave.phases().iter().all(|p| p.abs() < LONG * spacing) {
+            true => fastest_long_wave(&precise, wave.direction(), spacing),
+            false => {
+                let size = wave.phases().iter().fold(0.0, |most: f64, phase| most.max(phase.abs()));
+                (wave.phases().to_vec(), spacing.min(0.5 * size))
+            }
+        });
     let best = from_samples
-        .chain(from_witness)
-        .map(|(phases, size)| refined(&precise, phases, size))
+        .map(|(phases, size)| refined(&sampled, phases, size))
         .max_by(|a, b| a.0.total_cmp(&b.0));
+    // Growth that floating point does not see is looked for about the witness, in as many digits as it takes.
+    let precisely = |phases: &[f64]| {
+        let found = precise.largest(&place(&precise, phases));
+        found.map_or(f64::INFINITY, logarithmic)
+    };
+    // Where two multipliers meet roundings are as large as their root.
+    let seen = best.as_ref().is_some_and(|(_, phases)| precisely(phases) > SEEN);
+    let best = match from_witness {
+        Some((phases, size)) if !seen => Some(refined(&precisely, phases, size)),
+        _ => best,
+    };
     let phases = best.map_or_else(|| vec![0.0; step.dimension()], |(_, phases)| phases);
     let mut bits = 2 * BITS;
     loop {
@@ -89,6 +119,20 @@ pub(super) fn growth_on_torus(step: &Step, witness: Option<&Wave>) -> Result<Gro
         }
         bits *= 2;
     }
+}
+
+/// A long wave stands for all long ones in its direction: the one of them that grows most, and how far its neighbours are.
+fn fastest_long_wave(precise: &PreciseStep, direction: &[f64], spacing: f64) -> (Vec<f64>, f64) {
+    let along = |size: &f64| direction.iter().map(|x| x * size).collect::<Vec<f64>>();
+    let sizes = std::iter::successors(Some(spacing), |size| Some(size * 0.7)).take(LONG_WAVES);
+    let value = |size: &f64| {
+        let found = precise.largest(&place(precise, &along(size)));
+        found.map_or(f64::INFINITY, logarithmic)
+    };
+    let sizes: Vec<(f64, f64)> = sizes.map(|size| (value(&size), size)).collect();
+    let best = sizes.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0));
+    let size = best.map_or(spacing, |(_, size)| size);
+    (along(&size), 0.3 * size)
 }
 
 /// Where nothing grows: a wave of phases 0 and π that is neutral to all digits, the longest first.
@@ -136,14 +180,14 @@ pub(crate) fn place(precise: &PreciseStep, phases: &[f64]) -> Place {
 }
 
 /// The maximum about a wave, by steps to its neighbours that become ever smaller.
-fn refined(precise: &PreciseStep, mut phases: Vec<f64>, size: f64) -> (f64, Vec<f64>) {
-    let value = |phases: &[f64]| match precise.largest(&place(precise, phases)) {
-        None => f64::INFINITY,
-        Some(found) => logarithmic(found),
-    };
+fn refined(value: &impl Fn(&[f64]) -> f64, mut phases: Vec<f64>, size: f64) -> (f64, Vec<f64>) {
     let (mut best, mut step) = (value(&phases), size);
     let count = 3usize.pow(phases.len() as u32);
-    while step > FINE * size {
+    // Roundings can be climbed for ever.
+    for _ in 0..MOST_PASSES {
+        if step <= FINE * size {
+            break;
+        }
         let mut moved = false;
         for neighbour in 1..count {
             let sign = |axis: usize| (neighbour / 3usize.pow(axis as u32) % 3 + 1) % 3;

@@ -132,6 +132,18 @@ impl AxisRange {
         (self.axis.scale.coordinate(value) - a) / (b - a)
     }
 
+    /// How long it is in its own units.
+    pub(super) fn length(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    /// A linear axis made so many times longer, its middle where it was.
+    pub(super) fn lengthened(self, times: f64) -> AxisRange {
+        let by = 0.5 * (times - 1.0) * self.length();
+        let (low, high) = (self.low - by, self.high + by);
+        AxisRange { low, high, ends: [low, high], ..self }
+    }
+
     /// The axis with at most `most` labelled ticks.
     pub(super) fn with_ticks(mut self, most: usize) -> AxisRange {
         self.minor.clear();
@@ -245,6 +257,14 @@ mod tests {
             let r = fit(Axis::linear("x"), data).unwrap();
             assert!(r.low < r.high);
         }
+    }
+
+    #[test]
+    fn a_longer_axis_keeps_its_middle() {
+        let axis = Axis::linear("x").range(-1.0, 3.0).resolve([].into_iter(), 0.0).unwrap();
+        let longer = axis.lengthened(2.0);
+        assert_eq!((longer.low, longer.high, longer.length()), (-3.0, 5.0, 8.0));
+        assert_eq!((longer.fraction(1.0), longer.fraction(-3.0)), (0.5, 0.0));
     }
 
     #[test]

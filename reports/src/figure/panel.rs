@@ -49,12 +49,21 @@ pub struct Panel {
     layers: Vec<Layer>,
     legend: Option<Corner>,
     color_bar: Option<ColorBar>,
+    equal_units: bool,
 }
 
 impl Panel {
     /// An empty panel.
     pub fn new(x: Axis, y: Axis) -> Panel {
-        Panel { title: String::new(), x, y, layers: Vec::new(), legend: None, color_bar: None }
+        Panel {
+            title: String::new(),
+            x,
+            y,
+            layers: Vec::new(),
+            legend: None,
+            color_bar: None,
+            equal_units: false,
+        }
     }
 
     /// Sets the title.
@@ -84,6 +93,12 @@ impl Panel {
     /// Shows a colour bar at the right of this panel; for one that serves all panels see [`super::Figure::color_bar`].
     pub fn color_bar(mut self, bar: ColorBar) -> Panel {
         self.color_bar = Some(bar);
+        self
+    }
+
+    /// Makes a unit as long upwards as to the right, so that circles are round: one of two linear axes shows more than its range.
+    pub fn equal_units(mut self) -> Panel {
+        self.equal_units = true;
         self
     }
 
@@ -182,6 +197,19 @@ impl Resolved<'_> {
         }
     }
 
+    /// With axes in the units that a plot of this size asks for.
+    fn fitted(&self, plot: &Rect) -> Self {
+        let (mut x, mut y) = (self.x.clone(), self.y.clone());
+        if self.panel.equal_units {
+            let wanted = y.length() * plot.width() / plot.height();
+            match wanted > x.length() {
+                true => x = x.lengthened(wanted / self.x.length()),
+                false => y = y.lengthened(x.length() / wanted),
+            }
+        }
+        Resolved { panel: self.panel, x, y }
+    }
+
     /// Draws the panel with its plot in the rectangle; titles and labels stand around it.
     pub(super) fn draw<DB: DrawingBackend>(
         &self,
@@ -189,6 +217,7 @@ impl Resolved<'_> {
         plot: Rect,
         margins: Margins,
     ) -> Drawn<DB> {
+        let fitted = self.fitted(&plot);
         let units = |v: f64| v.round() as i32;
         let size = (
             units(margins.left + plot.width() + margins.right),
@@ -201,7 +230,7 @@ impl Resolved<'_> {
             .margin_right(units(margins.right))
             .x_label_area_size(units(margins.bottom))
             .y_label_area_size(units(margins.left))
-            .build_cartesian_2d(self.x_axis(plot.width()), self.y_axis(plot.height()))?;
+            .build_cartesian_2d(fitted.x_axis(plot.width()), fitted.y_axis(plot.height()))?;
         let text = |size| text::style(size, Color::BLACK, HPos::Center, VPos::Bottom);
         chart
             .configure_mesh()

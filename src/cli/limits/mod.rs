@@ -167,6 +167,13 @@ fn sampled(subject: &Subject, samples: usize, max: &Rational) -> Result<Limit, F
     let cells = (samples - 1) as f64;
     let phases: Vec<f64> = (0..samples).map(|i| i as f64 / cells * std::f64::consts::PI).collect();
     let sought = subject.sought(false)?;
+    if sought.step.dimension() > 1 {
+        let name = &subject.file.name;
+        return Err(Failure::Message(format!(
+            "--samples: {name} has {} space dimensions; samples are taken along one axis only",
+            sought.step.dimension()
+        )));
+    }
     let margin = sought.step.gain_margin(&sought.parameter, &Rational::zero()).ok().flatten();
     let margin = margin.ok_or_else(|| {
         Failure::Message(format!("--samples: {} is no explicit one-step scheme", subject.file.name))

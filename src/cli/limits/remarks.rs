@@ -108,8 +108,9 @@ pub(super) fn remarks(
                  among them: its amplitude grows like the number of steps"
             ));
         }
-        match answer.refinement {
-            Some(Refinement::OfLongWaves(ref rule)) => {
+        // Of many rows the table says enough.
+        match answer.refinement.as_ref().filter(|_| answers.len() == 1) {
+            Some(Refinement::OfLongWaves(rule)) => {
                 let exponent = to_text(&rule.exponent);
                 add(format!(
                     "on N cells the longest wave has the phase 2π/N, and none grows up to about {symbol} = {} (2π/N)^({exponent}): {} on 100 cells, \
@@ -123,14 +124,14 @@ pub(super) fn remarks(
             Some(Refinement::OfAllWaves { power }) => add(format!(
                 "waves of every length grow, |z|² − 1 ∝ {symbol}^{power}: bounded up to a given time where {symbol}^{power} ≤ const Δt. Where {symbol} ∝ Δt/Δx \
                  that is Δt ≤ const Δx^({})",
-                to_text(&ratio(power as i64, power as i64 - 1)),
+                to_text(&ratio(*power as i64, *power as i64 - 1)),
             )),
             None => {}
         }
         if limit.is_unbounded() {
             let evidence = match limit.evidence() {
                 Evidence::Enclosed => "with enclosed coefficients",
-                _ => "proved",
+                other => other.name(),
             };
             add(format!("stable without limit, {evidence}"));
         }
@@ -154,7 +155,10 @@ pub(super) fn remarks(
             add(format!("stable set {}", limit_text::set(set)));
         }
         if let Some(set) = answer.monotone_set.as_ref().filter(|set| limit_text::has_gaps(set)) {
-            add(format!("monotone set {}", limit_text::set(set)));
+            let text = limit_text::set(set);
+            if text != "empty" || answers.len() == 1 {
+                add(format!("monotone set {text}"));
+            }
         }
         for (from, to) in joined(&set.undecided) {
             let (from, to) = (significant(from, 8), significant(to, 8));

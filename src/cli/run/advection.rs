@@ -1,9 +1,9 @@
 //! Scenes and methods of the advection family.
 
-use super::{Arguments, Entry, Family};
-use crate::cli::output::{Format, print, print_record};
+use super::{Arguments, Entry, Family, no_method};
+use crate::cli::output::{Format, print, print_record, warnings};
 use crate::cli::progress::Bar;
-use crate::cli::{Failure, Outcome, names, numbers};
+use crate::cli::{Failure, Outcome, numbers};
 use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::{Rational, integer, to_f64};
 use courant::analysis::kernel::Kernel;
@@ -24,7 +24,7 @@ const WAVES: usize = 8;
 #[derive(Debug, Args)]
 pub struct Options {
     /// Advection: end time in periods of the unit interval, the same as --time (default: 1).
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::positive, conflicts_with = "time")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::running_positive, conflicts_with = "time")]
     periods: Option<Rational>,
     /// Advection: where the particles are and which code steps them (default: uniform).
     #[arg(long, value_enum)]
@@ -71,7 +71,7 @@ impl Options {
 }
 
 fn disorder(text: &str) -> Result<Rational, String> {
-    let value = numbers::non_negative(text)?;
+    let value = numbers::running_non_negative(text)?;
     if to_f64(&value) < 0.5 { Ok(value) } else { Err("it must be at least 0 and below 1/2".into()) }
 }
 
@@ -142,6 +142,7 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     print_record("run", &record, &table(&record, &result), arguments.format)?;
     if arguments.format == Format::Table {
+        print(&warnings(&record.run.warnings))?;
         let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
         print(&format!("\n{}\n", names.join("\n")))?;
     }
@@ -152,12 +153,9 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 fn plan(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
     let options = &arguments.advection;
     let scheme = match &arguments.method {
-        Some(name) => names::scheme(name)
-            .map_err(|_| {
-                let all = AdvectionScheme::ALL.map(AdvectionScheme::name);
-                names::unknown("method for advection scenes", name, &all)
-            })
-            .map_err(|problem| Failure::Message(format!("--method {name}: {problem}")))?,
+        Some(name) => name.parse().map_err(|_| {
+            no_method(name, &arguments.scene, &AdvectionScheme::ALL.map(AdvectionScheme::name))
+        })?,
         None => AdvectionScheme::GodunovSph,
     };
     arguments.choices.only(&[], "an advection scheme")?;

@@ -26,7 +26,7 @@ pub struct Choices {
     #[arg(long, value_enum)]
     roe_mean: Option<MeanName>,
     /// lagrangian-roe: viscosity of the contact over the largest velocity (default: 0.1).
-    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = numbers::non_negative)]
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = numbers::running_non_negative)]
     contact: Option<Rational>,
     /// lagrangian-roe: form of that viscosity (default: printed).
     #[arg(long, value_enum)]

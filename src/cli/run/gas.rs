@@ -1,8 +1,8 @@
 //! Scenes and methods of one-dimensional gas dynamics.
 
 use super::tube_file::{self, TubeFile};
-use super::{Arguments, Entry, Family};
-use crate::cli::output::{Format, print, print_record};
+use super::{Arguments, Entry, Family, no_method};
+use crate::cli::output::{Format, print, print_record, warnings};
 use crate::cli::{Failure, Outcome, names};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::reports::gas_run;
@@ -120,6 +120,7 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let table = table(scene.as_ref(), &method, &run, &record.run);
     print_record("run", &record, &table, arguments.format)?;
     if arguments.format == Format::Table {
+        print(&warnings(&record.run.warnings))?;
         let names: Vec<String> =
             files.iter().map(|file| format!("wrote {}\n", file.display())).collect();
         print(&names.concat())?;
@@ -198,10 +199,8 @@ fn method(arguments: &Arguments, file: Option<&TubeFile>) -> Result<Method, Fail
             Method::NAMES.join(", ")
         )));
     };
-    let mut method = Method::named(name).ok_or_else(|| {
-        let problem = names::unknown("method", name, &Method::NAMES);
-        Failure::Message(format!("--method {name}: {problem}"))
-    })?;
+    let mut method =
+        Method::named(name).ok_or_else(|| no_method(name, &arguments.scene, &Method::NAMES))?;
     let cfl = arguments.cfl.as_ref().map(to_f64);
     let choices = &arguments.choices;
     let has: &[&str] = match &method {

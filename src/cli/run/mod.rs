@@ -31,10 +31,10 @@ pub struct Arguments {
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio)]
     ratio: Option<Rational>,
     /// Courant number (default: the method's own).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::courant_number)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::running_courant_number)]
     cfl: Option<Rational>,
     /// End time (default: the scene's own).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::positive)]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::running_positive)]
     time: Option<Rational>,
     #[command(flatten)]
     choices: choices::Choices,
@@ -76,6 +76,24 @@ pub fn scenes() -> Vec<Entry> {
 /// Every method.
 pub fn methods() -> Vec<Entry> {
     FAMILIES.iter().flat_map(|family| (family.methods)()).collect()
+}
+
+/// What to say of a method that does not run a scene: which scenes it runs, or what else it is, or which name is near.
+fn no_method(name: &str, scene: &str, accepted: &[&str]) -> Failure {
+    let names = |entries: Vec<Entry>| entries.into_iter().map(|entry| entry.name);
+    let other = FAMILIES.iter().find(|family| names((family.methods)()).any(|known| known == name));
+    let all = accepted.join(", ");
+    let problem = match other {
+        Some(family) => {
+            let scenes: Vec<&str> = names((family.scenes)()).collect();
+            format!("it does not run {scene} but {}; accepted: {all}", scenes.join(", "))
+        }
+        None => match names::elsewhere(name, None) {
+            Some(what) => format!("{what}, and runs no scene; accepted: {all}"),
+            None => names::unknown(&format!("method for {scene}"), name, accepted),
+        },
+    };
+    Failure::Message(format!("--method {name}: {problem}"))
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

@@ -1,8 +1,8 @@
 //! Scenes and methods of particle hydrodynamics: Cha & Whitworth 2003.
 
-use super::{Arguments, Entry, Family};
+use super::{Arguments, Entry, Family, no_method};
 use crate::cli::output::{Format, print, print_record};
-use crate::cli::{Failure, Outcome, names};
+use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::{to_f64, to_text};
 use courant::analysis::kernel::Kernel;
 use courant::reports::number::{exact_text, finite, significant};
@@ -62,10 +62,8 @@ impl Plan {
     fn new(arguments: &Arguments) -> Result<Self, Failure> {
         let all = ParticleMethod::ALL.map(ParticleMethod::name);
         let method = match &arguments.method {
-            Some(name) => ParticleMethod::named(name).ok_or_else(|| {
-                let problem = names::unknown("method for this scene", name, &all);
-                Failure::Message(format!("--method {name}: {problem}"))
-            })?,
+            Some(name) => ParticleMethod::named(name)
+                .ok_or_else(|| no_method(name, &arguments.scene, &all))?,
             None => {
                 return Err(Failure::Message(format!(
                     "--method is required for {}; accepted: {}",
@@ -186,6 +184,7 @@ fn record(plan: &Plan, run: &ParticleRun, seconds: f64) -> ParticleRecord {
             time: run.time,
             completed: run.completed(),
             failure: run.failure.map(|failure| failure.to_string()),
+            warnings: Vec::new(),
             l1: ErrorNorms {
                 value: None,
                 density: errors.and_then(|e| finite(e.density)),

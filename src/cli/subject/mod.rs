@@ -131,6 +131,27 @@ impl Subject {
         step.map_err(|error| self.failure(&error))
     }
 
+    /// Its equations in space, exact in time where no integrator completes them, with values and defaults for all parameters.
+    pub fn lines(&self) -> Result<Lines, Failure> {
+        let lattice = self.lattice()?;
+        let failed = |error: SchemeError| self.failure(&error);
+        let mut lines = Lines::from_tree(&self.file.equations, lattice.as_ref()).map_err(failed)?;
+        for (name, value) in &self.values {
+            if self.file.parameters.contains_key(name) && lines.names().parameter(name).is_none() {
+                continue;
+            }
+            lines = lines.with(name, value).map_err(|error| {
+                Failure::Message(format!("--set {name}={}: {error}", numbers::brief(value)))
+            })?;
+        }
+        for (name, default) in &self.file.parameters {
+            if !self.is_set(name) && lines.names().parameter(name).is_some() {
+                lines = lines.with(name, default).map_err(failed)?;
+            }
+        }
+        Ok(lines)
+    }
+
     /// Its step for a question about one parameter: named by the user, or by the file, or `C`, or the only one without a value.
     /// Where `may_be_set` the one that is sought may have a value.
     pub fn sought(&self, may_be_set: bool) -> Result<Sought, Failure> {
@@ -177,6 +198,13 @@ impl Subject {
     /// Its step with values and defaults for all parameters but these.
     pub fn opened(&self, but: &[&str]) -> Result<Step, Failure> {
         self.with_defaults(self.open_step()?, but)
+    }
+
+    /// Its step with values and defaults for all parameters.
+    pub fn complete_step(&self) -> Result<Step, Failure> {
+        let step = self.opened(&[])?;
+        complete(&step)?;
+        Ok(step)
     }
 
     fn with_defaults(&self, step: Step, but: &[&str]) -> Result<Step, Failure> {
@@ -406,6 +434,14 @@ pub fn density_name(density: Density) -> &'static str {
 
 fn joined(names: &[&String]) -> String {
     names.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", ")
+}
+
+/// Refuses a step with parameters that have no value.
+pub fn complete(step: &Step) -> Result<(), Failure> {
+    match step.free_parameters() {
+        open if open.is_empty() => Ok(()),
+        open => Err(without_values(&open)),
+    }
 }
 
 /// Parameters are missing.

@@ -10,6 +10,7 @@ use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::Integrator;
 use courant::analysis::scheme::catalogue::{self, Known, SchemeFile};
 use courant::analysis::scheme::language::parse;
+use courant::analysis::spelling::spells;
 use num_traits::Signed;
 use std::sync::Arc;
 
@@ -45,14 +46,14 @@ pub struct SubjectOptions {
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list, help_heading = "Subject")]
     ratio: Option<Numbers>,
     /// Coefficients of viscosity, for schemes with a parameter alpha (sph-av: 1).
-    #[arg(long, allow_hyphen_values = true, value_parser = alphas, help_heading = "Subject")]
+    #[arg(long, allow_hyphen_values = true, value_parser = numbers::alphas, help_heading = "Subject")]
     alpha: Option<Numbers>,
     /// Equations of state of a particle method: isothermal, ideal:GAMMA or tait:P0, with P0 in units of ρ c² (default:
     /// isothermal).
     #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| numbers::names(text, equation_of_state), help_heading = "Subject")]
     eos: Option<Names<EquationOfState>>,
     /// Densities of a particle method: summation or continuity, which is the mass per spacing (default: summation).
-    #[arg(long, value_parser = |text: &str| numbers::names(text, density), help_heading = "Subject")]
+    #[arg(long, value_parser = |text: &str| numbers::names(text, names::density), help_heading = "Subject")]
     density: Option<Names<Density>>,
     /// Space dimensions of a particle method: 1.
     #[arg(long, value_parser = one_dimension, help_heading = "Subject")]
@@ -81,19 +82,12 @@ pub struct Defaults {
     pub integrators: Option<String>,
     /// Whether the relation printed for gph is accepted.
     pub published: bool,
+    /// Whether equations in space may stand without an integrator: exact in time.
+    pub exact_in_time: bool,
 }
 
 fn refuse(message: impl Into<String>) -> Failure {
     Failure::Message(message.into())
-}
-
-fn alphas(text: &str) -> Result<Numbers, String> {
-    numbers::list(text)?
-        .0
-        .into_iter()
-        .map(|value| numbers::within(value, 0, numbers::MAX_ALPHA))
-        .collect::<Result<_, _>>()
-        .map(Numbers)
 }
 
 /// `NAME=VALUES`.
@@ -127,14 +121,6 @@ fn equation_of_state(text: &str) -> Result<EquationOfState, String> {
         _ => return Err(accepted.into()),
     };
     Ok(EquationOfState { name: text.to_ascii_lowercase(), pressure })
-}
-
-fn density(text: &str) -> Result<Density, String> {
-    match text.to_ascii_lowercase().as_str() {
-        "summation" => Ok(Density::Summation),
-        "continuity" | "mass" | "mass-per-spacing" => Ok(Density::MassPerSpacing),
-        _ => Err("accepted: summation, continuity".into()),
-    }
 }
 
 fn one_dimension(text: &str) -> Result<usize, String> {
@@ -219,7 +205,7 @@ impl SubjectOptions {
                 vec![None]
             };
             let completed = if file.is_of_lines() {
-                if integrators == [None] {
+                if integrators == [None] && !defaults.exact_in_time {
                     return Err(refuse(format!(
                         "--integrator is required: {} gives rates of change only; see courant list integrators",
                         file.name
@@ -408,7 +394,7 @@ fn scheme_file(kind: Kind, name: &str, all: &[SchemeFile]) -> Result<Arc<SchemeF
             .map(Arc::new)
             .map_err(|error| names::misspelt_key(&error.to_string()));
     }
-    let found = all.iter().find(|file| file.name == name.to_ascii_lowercase());
+    let found = all.iter().find(|file| spells(name, &file.name));
     found.map(|file| Arc::new(file.clone())).ok_or_else(|| {
         let (what, topic) = match kind {
             Kind::Space => ("space", "spaces"),
@@ -416,6 +402,9 @@ fn scheme_file(kind: Kind, name: &str, all: &[SchemeFile]) -> Result<Arc<SchemeF
             _ => ("scheme", "schemes"),
         };
         let entries = all.iter().map(|file| (file.name.as_str(), file.name.as_str()));
+        if let Some(elsewhere) = names::elsewhere(name, Some(kind)) {
+            return format!("there is no such {what}: {elsewhere}; see courant list {topic}");
+        }
         names::unknown_among(what, name, entries, topic)
     })
 }

@@ -1,7 +1,7 @@
 //! The advection schemes: symbol against stepping.
 
-use super::Arguments;
-use crate::cli::output::{Format, print, print_json, table_text};
+use super::{Arguments, Measured, csv_table};
+use crate::cli::output::{Format, paragraphs, print, print_json, table_text};
 use crate::cli::progress::Bar;
 use crate::cli::subject::Subject;
 use crate::cli::{Failure, Outcome};
@@ -10,6 +10,7 @@ use courant::reports::advection_validation::{
     Settings, ValidatedCase, ValidationCase, ValidationRecord, run_cases,
 };
 use courant::reports::number::significant;
+use courant::reports::record::SubjectRecord;
 use courant::reports::table::{Align, Table};
 use courant::simulation::advection::Fault;
 use courant::simulation::advection::{AdvectionScheme, Discretisation};
@@ -22,7 +23,8 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
         fault: arguments.fault.as_ref().map(|by| Fault { offset: -1, by: to_f64(by) }),
         ..defaults
     };
-    let cases = cases(arguments, subjects, settings)?;
+    let (cases, subjects): (Vec<_>, Vec<_>) =
+        cases(arguments, subjects, settings)?.into_iter().unzip();
     let bar = Bar::new("validate");
     let cases = run_cases(cases, &|done, all| {
         let _ = bar.advance(done, all);
@@ -30,15 +32,18 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     .map_err(|error| Failure::Message(error.to_string()))?;
     bar.finish();
     let record = ValidationRecord::new(settings, &cases);
-    // One case is shown mode by mode, several case by case.
-    let table = match cases.as_slice() {
-        [case] => mode_table(case),
-        cases => case_table(cases),
+    // One case is shown mode by mode, several case by case; machines get every mode.
+    let table = match (cases.as_slice(), arguments.format) {
+        (all, Format::Csv) => {
+            csv_table(all.iter().zip(&subjects).flat_map(|(case, subject)| measured(case, subject)))
+        }
+        ([case], _) => mode_table(case),
+        (cases, _) => case_table(cases),
     };
     match table_text(&table, arguments.format) {
         Some(mut text) => {
             if arguments.format == Format::Table {
-                text.push_str(&conclusion(&record));
+                text.push_str(&paragraphs(&[conclusion(&record)]));
             }
             print(&text)?
         }
@@ -51,8 +56,8 @@ fn cases(
     arguments: &Arguments,
     subjects: &[Subject],
     settings: Settings,
-) -> Result<Vec<ValidationCase>, Failure> {
-    let mut cases = Vec::new();
+) -> Result<Vec<(ValidationCase, SubjectRecord)>, Failure> {
+    let mut all = Vec::new();
     for subject in subjects {
         let scheme: AdvectionScheme = subject
             .file
@@ -64,15 +69,35 @@ fn cases(
             .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
         let sought = subject.sought(true)?;
         let values = arguments.cfl.iter().flat_map(|values| &values.0).chain(&sought.value);
-        let before = cases.len();
-        cases.extend(
-            values.map(|value| ValidationCase::at(discretisation.clone(), value, settings)),
-        );
-        if cases.len() == before {
-            cases.extend(ValidationCase::about_the_limit(&discretisation, settings));
+        let mut cases: Vec<ValidationCase> = values
+            .map(|value| ValidationCase::at(discretisation.clone(), value, settings))
+            .collect();
+        if cases.is_empty() {
+            cases = ValidationCase::about_the_limit(&discretisation, settings);
         }
+        let record = subject.record(&sought.step, Some(&sought.parameter));
+        all.extend(cases.into_iter().map(|case| (case, record.clone())));
     }
-    Ok(cases)
+    Ok(all)
+}
+
+/// The rows for machines.
+fn measured<'a>(
+    case: &'a ValidatedCase,
+    subject: &'a SubjectRecord,
+) -> impl Iterator<Item = Measured<'a>> {
+    case.validation.rows.iter().map(move |row| Measured {
+        subject,
+        cfl: case.case.plan.courant_number,
+        mode: row.mode.to_string(),
+        phase: row.phase.to_string(),
+        branch: "0".into(),
+        code: "",
+        predicted: [row.predicted.norm(), row.predicted.arg()],
+        measured: [row.measured.norm(), row.measured.arg()],
+        error: row.error,
+        tolerance: case.validation.tolerance,
+    })
 }
 
 fn case_table(cases: &[ValidatedCase]) -> Table {
@@ -157,7 +182,7 @@ fn conclusion(record: &ValidationRecord) -> String {
         }
     };
     format!(
-        "\n{verdict}; max error {error}, allowed {}; {} particles, {} steps\n",
+        "{verdict}; max error {error}, allowed {}; {} particles, {} steps",
         significant(record.tolerance, 3),
         record.particles,
         record.steps

@@ -1,7 +1,6 @@
 //! Any other scheme: multipliers against the equations stepped as they were typed.
 
-use super::Arguments;
-use crate::cli::columns::{empty, subject_cells, subject_columns};
+use super::{Arguments, Measured, csv_table};
 use crate::cli::output::{Format, paragraphs, print, print_json, table_text};
 use crate::cli::progress::Bar;
 use crate::cli::subject::{Label, Subject, row_name, varying};
@@ -81,7 +80,7 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
     let passed = cases.iter().all(|case| case.validation.passed);
     match arguments.format {
         Format::Json => print_json("validate", &record(&cases))?,
-        Format::Csv => print(&csv_table(&cases).to_csv())?,
+        Format::Csv => print(&csv_table(cases.iter().flat_map(measured)).to_csv())?,
         format => {
             let table = match cases.as_slice() {
                 [one] => mode_table(one),
@@ -238,34 +237,21 @@ fn labels(case: &Case) -> Vec<Label> {
     labels
 }
 
-fn csv_table(cases: &[Case]) -> Table {
-    let own = [
-        "cfl",
-        "mode",
-        "phase",
-        "branch",
-        "predicted_gain",
-        "predicted_phase",
-        "measured_gain",
-        "measured_phase",
-        "error",
-        "tolerance",
-    ];
-    let columns: Vec<String> = subject_columns().chain(own.map(String::from)).collect();
-    let mut table = empty(&columns);
-    for case in cases {
-        for row in &case.validation.rows {
-            let mut cells = subject_cells(&case.record);
-            cells.extend([case.value.to_string(), row.mode.joined(" "), row.phase.joined(" ")]);
-            cells.push(row.branch.to_string());
-            for multiplier in [row.predicted, row.measured] {
-                cells.extend([multiplier.gain.to_string(), multiplier.phase.to_string()]);
-            }
-            cells.extend([row.error.to_string(), row.tolerance.to_string()]);
-            table.push(cells);
-        }
-    }
-    table
+/// The rows for machines.
+fn measured(case: &Case) -> impl Iterator<Item = Measured<'_>> {
+    let pair = |multiplier: Multiplier| [multiplier.gain, multiplier.phase];
+    case.validation.rows.iter().map(move |row| Measured {
+        subject: &case.record,
+        cfl: case.value,
+        mode: row.mode.joined(" "),
+        phase: row.phase.joined(" "),
+        branch: row.branch.to_string(),
+        code: "",
+        predicted: pair(row.predicted),
+        measured: pair(row.measured),
+        error: row.error,
+        tolerance: row.tolerance,
+    })
 }
 
 fn mode_table(case: &Case) -> Table {

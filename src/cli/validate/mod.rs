@@ -4,6 +4,7 @@ mod advection;
 mod equations;
 mod particles;
 
+use super::columns::{empty, number, subject_cells, subject_columns};
 use super::numbers::Numbers;
 use super::output::Format;
 use super::subject::{Defaults, Kind, Subject, SubjectOptions};
@@ -12,6 +13,9 @@ use clap::Args;
 use courant::analysis::exact::rational::{Rational, integer, ratio};
 use courant::analysis::kernel::Kernel;
 use courant::analysis::scheme::catalogue;
+use courant::reports::number::finite;
+use courant::reports::record::SubjectRecord;
+use courant::reports::table::Table;
 use courant::simulation::advection::AdvectionScheme;
 
 #[derive(Debug, Args)]
@@ -79,6 +83,49 @@ impl Arguments {
     }
 }
 
+/// A multiplier of one wave for machines: the columns are the same for every subject.
+struct Measured<'a> {
+    subject: &'a SubjectRecord,
+    cfl: f64,
+    /// One number, in more dimensions several, as the phase.
+    mode: String,
+    phase: String,
+    branch: String,
+    /// Which of several running codes.
+    code: &'a str,
+    /// Gain and phase.
+    predicted: [f64; 2],
+    measured: [f64; 2],
+    error: f64,
+    tolerance: f64,
+}
+
+fn csv_table<'a>(rows: impl Iterator<Item = Measured<'a>>) -> Table {
+    let own = [
+        "cfl",
+        "mode",
+        "phase",
+        "branch",
+        "code",
+        "predicted_gain",
+        "predicted_phase",
+        "measured_gain",
+        "measured_phase",
+        "error",
+        "tolerance",
+    ];
+    let columns: Vec<String> = subject_columns().chain(own.map(String::from)).collect();
+    let mut table = empty(&columns);
+    for row in rows {
+        let mut cells = subject_cells(row.subject);
+        cells.extend([row.cfl.to_string(), row.mode, row.phase, row.branch, row.code.into()]);
+        let numbers = row.predicted.into_iter().chain(row.measured);
+        cells.extend(numbers.chain([row.error, row.tolerance]).map(|x| number(finite(x))));
+        table.push(cells);
+    }
+    table
+}
+
 fn steps(text: &str) -> Result<u64, String> {
     numbers::count(text, 1, 1_000_000).map(|count| count as u64)
 }
@@ -91,7 +138,14 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let schemes = (!arguments.subject.is_named())
         .then(|| AdvectionScheme::ALL.map(AdvectionScheme::name).join(","));
     let integrators = method.then(|| catalogue::PARTICLE_INTEGRATORS.join(","));
-    let defaults = Defaults { kernels, ratios: vec![ratio], schemes, integrators, published: true };
+    let defaults = Defaults {
+        kernels,
+        ratios: vec![ratio],
+        schemes,
+        integrators,
+        published: true,
+        ..Defaults::default()
+    };
     let subjects = arguments.subject.subjects(&defaults)?;
     let running = |subject: &Subject| {
         subject.kind == Kind::Scheme && subject.file.name.parse::<AdvectionScheme>().is_ok()

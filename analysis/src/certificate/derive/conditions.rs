@@ -2,12 +2,12 @@
 
 use super::super::verify::{CertificateError, ensure};
 use super::super::{Level, Rule, Subject};
-use super::letters::Letters;
+use super::fraction::whole_row;
 use super::matrix::{Whole, determinant};
 use super::parser::value;
-use super::polynomial::Poly;
-use super::reader::{Reader, whole_row};
-use super::{Derived, of_the_parameter};
+use super::polynomial::{Poly, Shifts};
+use super::reader::Reader;
+use super::{Derived, of_the_parameter, shift_name};
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -34,20 +34,36 @@ fn product(p: &[Whole], q: &[Whole]) -> Vec<Whole> {
     result
 }
 
-/// A polynomial in `z`, `E` and the sought parameter as text.
-fn polynomial_in_z(text: &str, subject: &Subject) -> Read<Vec<Whole>> {
+/// The shift that centres a polynomial between its least and largest powers along each axis; `None` where none does.
+pub fn centring(poly: &Whole) -> Option<Shifts> {
+    let mut shift = [0; 3];
+    for (axis, by) in shift.iter_mut().enumerate() {
+        let powers = || poly.0.keys().map(|power| power.e[axis]);
+        let sum = powers().min()? + powers().max()?;
+        if sum % 2 != 0 {
+            return None;
+        }
+        *by = -sum / 2;
+    }
+    Some(shift)
+}
+
+/// A polynomial in `z`, the shifts and the sought parameter as text.
+pub fn polynomial_in_z(text: &str, subject: &Subject, dimension: usize) -> Read<Vec<Whole>> {
     let mut names = of_the_parameter(subject);
-    names.insert("z".into(), Poly::monomial(1, 0, 0));
-    names.insert("E".into(), Poly::monomial(0, 1, 0));
-    let letters = Letters::default();
-    let mut reader = Reader { names, lattice: None, wave: true, unknowns: Vec::new(), letters };
+    names.insert("z".into(), Poly::monomial(1, [0; 3], 0));
+    for axis in 0..dimension {
+        let shift = std::array::from_fn(|other| i32::from(other == axis));
+        names.insert(shift_name(axis, dimension), Poly::monomial(0, shift, 0));
+    }
+    let mut reader = Reader::new(names, None, true);
     let fraction = reader.fraction(&value(text)?)?;
     // A quotient by a power of E is a shift.
     let shift = match fraction.under.0.first_key_value() {
         Some((power, _)) if fraction.under.is_unit() && power.z == 0 => power.e,
         _ => return Err(CertificateError("a factor is no polynomial".into())),
     };
-    let whole = whole_row(&[fraction.over.moved(0, -shift)]);
+    let whole = whole_row(&[fraction.over.moved(0, shift.map(|by| -by))]);
     let sound = !whole[0].is_zero() && whole[0].0.keys().all(|power| power.z >= 0);
     ensure(sound, "a factor is no polynomial")?;
     Ok(whole[0].by_z())
@@ -67,7 +83,12 @@ pub fn derivative(p: &[Whole]) -> Vec<Whole> {
 }
 
 /// Where they are not negative, and none vanishes identically, all roots lie in the closed disc.
-pub fn conditions(p: Vec<Whole>, subject: &Subject, levels: &[Level]) -> Read<Vec<Derived>> {
+pub fn conditions(
+    p: Vec<Whole>,
+    subject: &Subject,
+    dimension: usize,
+    levels: &[Level],
+) -> Read<Vec<Derived>> {
     let mut p = p;
     let mut derived = Vec::new();
     for (number, level) in levels.iter().enumerate() {
@@ -75,8 +96,8 @@ pub fn conditions(p: Vec<Whole>, subject: &Subject, levels: &[Level]) -> Read<Ve
         let whole = vec![Poly::one()];
         let (inside, circle) = match &level.split {
             Some(split) => {
-                let inside = polynomial_in_z(&split.inside, subject)?;
-                let circle = polynomial_in_z(&split.circle, subject)?;
+                let inside = polynomial_in_z(&split.inside, subject, dimension)?;
+                let circle = polynomial_in_z(&split.circle, subject, dimension)?;
                 let product = product(&inside, &circle);
                 ensure(proportional(&p, &product), "the factors do not multiply to χ")?;
                 let mirrored = reversed_conjugate(&circle);
@@ -125,10 +146,8 @@ fn schur_cohn(a: &[Whole]) -> Read<Vec<(String, Whole)>> {
 fn jury(a: &[Whole]) -> Read<Vec<(String, Whole)>> {
     let not_real = || CertificateError("the coefficients are not real".into());
     let degree = a.len() - 1;
-    let ends = || a[degree].0.keys().map(|power| power.e);
-    let sum = ends().min().zip(ends().max()).map_or(0, |(low, high)| low + high);
-    ensure(sum % 2 == 0, &not_real().0)?;
-    let a: Vec<Whole> = a.iter().map(|coefficient| coefficient.moved(0, -sum / 2)).collect();
+    let shift = centring(&a[degree]).ok_or_else(not_real)?;
+    let a: Vec<Whole> = a.iter().map(|coefficient| coefficient.moved(0, shift)).collect();
     ensure(a.iter().all(|coefficient| *coefficient == coefficient.conjugate()), &not_real().0)?;
     let leading = &a[degree];
     let mut all = Vec::new();
@@ -162,20 +181,24 @@ fn jury(a: &[Whole]) -> Read<Vec<(String, Whole)>> {
 }
 
 /// The coefficients of an explicit step for one unknown between two levels, by offset; times the same positive number.
-pub fn coefficients(p: &[Whole]) -> Read<Vec<Derived>> {
+pub fn coefficients(p: &[Whole], dimension: usize) -> Read<Vec<Derived>> {
     let refused = || CertificateError("not explicit, or not of one level".into());
     let [old, new] = p else { return Err(refused()) };
     let unit = new.0.first_key_value().filter(|_| new.is_unit());
     let (power, unit) = unit.ok_or_else(refused)?;
     let sign = if *unit > BigInt::zero() { -BigInt::one() } else { BigInt::one() };
-    let mut by_offset: std::collections::BTreeMap<i32, Whole> = Default::default();
+    let mut by_offset: std::collections::BTreeMap<Shifts, Whole> = Default::default();
     for (own, value) in &old.0 {
-        let rest = super::polynomial::Power { e: 0, ..own.clone() };
-        by_offset.entry(own.e - power.e).or_default().0.insert(rest, value * &sign);
+        let rest = super::polynomial::Power { e: [0; 3], ..own.clone() };
+        let offset = std::array::from_fn(|axis| own.e[axis] - power.e[axis]);
+        by_offset.entry(offset).or_default().0.insert(rest, value * &sign);
     }
     let derived = by_offset.into_iter().map(|(offset, polynomial)| Derived {
         level: 0,
-        condition: format!("coefficient {offset}"),
+        condition: format!(
+            "coefficient {}",
+            offset[..dimension].iter().map(i32::to_string).collect::<Vec<_>>().join(",")
+        ),
         polynomial,
     });
     Ok(derived.collect())

@@ -2,11 +2,11 @@
 
 use super::super::IntegratorStatement;
 use super::super::verify::{CertificateError, ensure};
-use super::letters::Letters;
+use super::fraction::{Fraction, cleared};
 use super::matrix::{Matrix, Whole, determinant_up_to_units, without_units};
 use super::parser::value;
 use super::polynomial::{Poly, Power};
-use super::reader::{Fraction, Reader, cleared};
+use super::reader::Reader;
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;
 use std::collections::BTreeMap;
@@ -14,8 +14,7 @@ use std::collections::BTreeMap;
 type Read<T> = Result<T, CertificateError>;
 
 fn numbers(texts: &[String]) -> Read<Vec<Fraction>> {
-    let (names, letters) = (BTreeMap::new(), Letters::default());
-    let mut reader = Reader { names, lattice: None, wave: true, unknowns: Vec::new(), letters };
+    let mut reader = Reader::new(BTreeMap::new(), None, true);
     texts.iter().map(|text| reader.fraction(&value(text)?)).collect()
 }
 
@@ -47,7 +46,7 @@ fn constant(value: i64) -> Whole {
 
 /// `z − 1`.
 fn advance() -> Whole {
-    Poly::monomial(1, 0, 0).minus(&Poly::one())
+    Poly::monomial(1, [0; 3], 0).minus(&Poly::one())
 }
 
 /// From the matrix in which `z` counts derivatives.
@@ -73,7 +72,7 @@ pub fn complete(mut matrix: Matrix, integrator: &IntegratorStatement) -> Read<Ma
         IntegratorStatement::RungeKutta { a, b } if mass.len() > 1 => stages(&mass, &rates, a, b),
         IntegratorStatement::RungeKutta { a, b } => {
             // One number λ = L/M enters, here in the place of C.
-            let lambda = Poly::monomial(0, 0, 1);
+            let lambda = Poly::monomial(0, [0; 3], 1);
             let whole = stages(&vec![vec![Poly::one()]], &vec![vec![lambda]], a, b)?;
             let whole = determinant_up_to_units(whole)?;
             let degree = whole.0.keys().map(|power| power.c).max().unwrap_or(0);
@@ -111,8 +110,8 @@ fn multistep(mass: &Matrix, rates: &Matrix, alpha: &[String], beta: &[String]) -
         let mut row = Row::new(masses.len());
         for (column, (m, l)) in masses.iter().zip(rates).enumerate() {
             for (k, (a, b)) in (0..).zip(alpha.iter().zip(&beta)) {
-                row.add(column, &m.moved(k, 0), a);
-                row.add(column, &l.negated().moved(k, 0), b);
+                row.add(column, &m.moved(k, [0; 3]), a);
+                row.add(column, &l.negated().moved(k, [0; 3]), b);
             }
         }
         row.clear()

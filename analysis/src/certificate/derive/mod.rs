@@ -2,6 +2,7 @@
 //! nothing else. The certificates are written about these polynomials; where they do not bear out what was found, none can be written.
 
 mod conditions;
+mod fraction;
 mod integrator;
 mod kernel;
 mod letters;
@@ -13,11 +14,12 @@ mod reader;
 use super::verify::{CertificateError, ensure};
 use super::{Level, Subject};
 use crate::exact::rational::Rational;
-pub(super) use conditions::{derivative, proportional, reversed_conjugate};
+pub(super) use conditions::{centring, derivative, proportional, reversed_conjugate};
 use kernel::Lattice;
 pub(super) use letters::{BITS, Letters, Series};
 use matrix::{Whole, determinant_up_to_units, reduce};
 use num_bigint::BigInt;
+use polynomial::Shifts;
 pub(super) use polynomial::{Letter, Poly, Power};
 use reader::Reader;
 use std::collections::BTreeMap;
@@ -35,10 +37,17 @@ pub(super) struct Derived {
 pub(super) struct Characteristic {
     pub(super) coefficients: Vec<Poly<BigInt>>,
     pub(super) letters: Letters,
+    /// The axes.
+    pub(super) dimension: usize,
 }
 
 fn of_the_parameter(subject: &Subject) -> BTreeMap<String, Poly<Rational>> {
-    [(subject.parameter.clone(), Poly::monomial(0, 0, 1))].into()
+    [(subject.parameter.clone(), Poly::monomial(0, [0; 3], 1))].into()
+}
+
+/// `E` in one dimension, `E_1, E_2, E_3` in more.
+pub(super) fn shift_name(axis: usize, dimension: usize) -> String {
+    if dimension == 1 { "E".into() } else { format!("E_{}", axis + 1) }
 }
 
 impl Characteristic {
@@ -51,12 +60,10 @@ impl Characteristic {
             let twice = names.insert(name.clone(), Poly::number(value.0.clone()));
             ensure(twice.is_none(), "the sought parameter has a value")?;
         }
-        let letters = Letters::default();
-        let unknowns = Vec::new();
-        let mut reader = Reader { names, lattice: lattice.as_ref(), wave, unknowns, letters };
+        let mut reader = Reader::new(names, lattice.as_ref(), wave);
         let rows = reader.rows(&subject.equations)?;
         let size = reader.unknowns.len();
-        let mut parities: Vec<Option<(i32, i32)>> = vec![None; size];
+        let mut parities: Vec<Option<(i32, Shifts)>> = vec![None; size];
         let mut matrix = vec![vec![Poly::default(); size]; size];
         for (row, target) in rows.iter().zip(&mut matrix) {
             for (place, poly) in row {
@@ -64,12 +71,14 @@ impl Characteristic {
                     place.time.is_none() == subject.integrator.is_some(),
                     "an integrator completes the method of lines, and nothing else",
                 )?;
-                let own = (place.time.unwrap_or(0).rem_euclid(2), place.space.rem_euclid(2));
+                let parity = place.space.map(|halves| halves.rem_euclid(2));
+                let own = (place.time.unwrap_or(0).rem_euclid(2), parity);
                 let known = parities[place.unknown].get_or_insert(own);
                 ensure(*known == own, "an unknown stands at whole and at half indices")?;
                 let z = place.time.map_or(i32::from(place.derivative), |time| time.div_euclid(2));
                 let entry = &mut target[place.unknown];
-                *entry = std::mem::take(entry).plus(&poly.moved(z, place.space.div_euclid(2)));
+                *entry = std::mem::take(entry)
+                    .plus(&poly.moved(z, place.space.map(|halves| halves.div_euclid(2))));
             }
         }
         if let Some(integrator) = &subject.integrator {
@@ -78,10 +87,11 @@ impl Characteristic {
         let chi = determinant_up_to_units(matrix)?;
         let lowest = chi.0.keys().map(|power| power.z).min();
         let lowest = lowest.ok_or_else(|| CertificateError("the determinant vanishes".into()))?;
-        let mut coefficients: Vec<Whole> = chi.moved(-lowest, 0).by_z();
+        let mut coefficients: Vec<Whole> = chi.moved(-lowest, [0; 3]).by_z();
         reduce(&mut coefficients);
         ensure(coefficients.len() > 1, "nothing is advanced in time")?;
-        Ok(Self { coefficients, letters: reader.letters })
+        let dimension = reader.dimension.unwrap_or(1);
+        Ok(Self { coefficients, letters: reader.letters, dimension })
     }
 
     /// The conditions of stability.
@@ -91,15 +101,26 @@ impl Characteristic {
         growth: &Rational,
         levels: &[Level],
     ) -> Result<Vec<Derived>, CertificateError> {
-        conditions::conditions(self.with_growth(growth), subject, levels)
+        conditions::conditions(self.with_growth(growth), subject, self.dimension, levels)
     }
 
     pub(super) fn with_growth(&self, growth: &Rational) -> Vec<Poly<BigInt>> {
         conditions::with_growth(&self.coefficients, growth)
     }
 
+    /// A polynomial in the shifts and the sought parameter as text.
+    pub(super) fn polynomial(
+        &self,
+        text: &str,
+        subject: &Subject,
+    ) -> Result<Poly<BigInt>, CertificateError> {
+        let mut powers = conditions::polynomial_in_z(text, subject, self.dimension)?;
+        ensure(powers.len() == 1, "a factor depends on z")?;
+        Ok(powers.remove(0))
+    }
+
     /// The conditions of monotonicity.
     pub(super) fn monotonicity(&self) -> Result<Vec<Derived>, CertificateError> {
-        conditions::coefficients(&self.coefficients)
+        conditions::coefficients(&self.coefficients, self.dimension)
     }
 }

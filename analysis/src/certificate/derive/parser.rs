@@ -1,4 +1,4 @@
-//! The language of schemes read once more, in one dimension, without places for error messages.
+//! The language of schemes read once more, without places for error messages.
 
 use super::super::verify::{CertificateError, ensure};
 use crate::exact::rational::{Rational, integer};

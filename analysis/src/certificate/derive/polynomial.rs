@@ -1,4 +1,4 @@
-//! Polynomials of the checker: sums of powers of `z`, `E`, the sought parameter and letters.
+//! Polynomials of the checker: sums of powers of `z`, `E_1, E_2, E_3`, the sought parameter and letters.
 
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -24,11 +24,14 @@ pub enum Letter {
     Enclosed(usize),
 }
 
+/// Powers of the shifts by one cell along the axes.
+pub type Shifts = [i32; 3];
+
 /// One power of everything.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Power {
     pub z: i32,
-    pub e: i32,
+    pub e: Shifts,
     pub c: i32,
     pub letters: Vec<(Letter, u32)>,
 }
@@ -63,8 +66,8 @@ where
         Self::term(Power { letters: vec![(letter, 1)], ..Power::default() }, T::one())
     }
 
-    /// `z`, `E`, `C` to powers.
-    pub fn monomial(z: i32, e: i32, c: i32) -> Self {
+    /// `z`, the shifts, `C` to powers.
+    pub fn monomial(z: i32, e: Shifts, c: i32) -> Self {
         Self::term(Power { z, e, c, letters: Vec::new() }, T::one())
     }
 
@@ -101,7 +104,8 @@ where
             for (q, b) in &other.0 {
                 let mut value = a * b;
                 let letters = together(&p.letters, &q.letters, &mut value);
-                let power = Power { z: p.z + q.z, e: p.e + q.e, c: p.c + q.c, letters };
+                let e = std::array::from_fn(|axis| p.e[axis] + q.e[axis]);
+                let power = Power { z: p.z + q.z, e, c: p.c + q.c, letters };
                 *sums.entry(power).or_insert_with(T::zero) += value;
             }
         }
@@ -121,16 +125,16 @@ where
         Self(moved.collect())
     }
 
-    pub fn moved(&self, z: i32, e: i32) -> Self {
+    pub fn moved(&self, z: i32, e: Shifts) -> Self {
         self.mapped(|power| {
             power.z += z;
-            power.e += e;
+            power.e.iter_mut().zip(e).for_each(|(power, by)| *power += by);
         })
     }
 
-    /// `E` becomes `1/E`: the complex conjugate on a wave.
+    /// Each `E` becomes `1/E`: the complex conjugate on a wave.
     pub fn conjugate(&self) -> Self {
-        self.mapped(|power| power.e = -power.e)
+        self.mapped(|power| power.e = power.e.map(|e| -e))
     }
 
     /// `[coefficient of z^0, of z^1, …]`; powers below zero must not occur.

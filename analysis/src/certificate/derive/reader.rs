@@ -1,10 +1,11 @@
 //! Trees evaluated to linear equations on the lattice.
 
 use super::super::verify::{CertificateError, ensure};
+use super::fraction::{Fraction, cleared};
 use super::kernel::{Lattice, Weight};
 use super::letters::{BITS, Letters, in_units, pi, root};
 use super::parser::{Tree, affine, equations, whole};
-use super::polynomial::{Letter, Poly};
+use super::polynomial::{Letter, Poly, Shifts};
 use crate::exact::rational::{Rational, ratio};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -12,84 +13,17 @@ use std::collections::BTreeMap;
 
 type Read<T> = Result<T, CertificateError>;
 
-/// A quotient of polynomials.
-#[derive(Debug, Clone)]
-pub struct Fraction {
-    pub over: Poly<Rational>,
-    pub under: Poly<Rational>,
-}
-
 /// An equation: places with polynomials of whole coefficients.
 pub type PlacedRow = Vec<(Place, Poly<BigInt>)>;
-
-impl Fraction {
-    pub fn whole(over: Poly<Rational>) -> Self {
-        Self { over, under: Poly::one() }
-    }
-
-    pub fn one() -> Self {
-        Self::whole(Poly::one())
-    }
-
-    pub fn plus(&self, other: &Self) -> Self {
-        if self.under == other.under {
-            let over = self.over.clone().plus(&other.over);
-            return Self { over, under: self.under.clone() };
-        }
-        Self {
-            over: self.over.times(&other.under).plus(&other.over.times(&self.under)),
-            under: self.under.times(&other.under),
-        }
-    }
-
-    pub fn times(&self, other: &Self) -> Self {
-        Self { over: self.over.times(&other.over), under: self.under.times(&other.under) }
-    }
-}
-
-/// Fractions times their denominators, as polynomials with whole coefficients.
-pub fn cleared(fractions: &[Fraction]) -> Vec<Poly<BigInt>> {
-    let mut denominators: Vec<&Poly<Rational>> = Vec::new();
-    for fraction in fractions {
-        if fraction.under.as_number().is_none() && !denominators.contains(&&fraction.under) {
-            denominators.push(&fraction.under);
-        }
-    }
-    let row: Vec<Poly<Rational>> = fractions
-        .iter()
-        .map(|fraction| {
-            let others = denominators.iter().filter(|other| **other != &fraction.under);
-            let over = others.fold(fraction.over.clone(), |product, other| product.times(other));
-            match fraction.under.as_number() {
-                Some(value) => over.scaled(&value.recip()),
-                None => over,
-            }
-        })
-        .collect();
-    whole_row(&row)
-}
-
-/// Without the denominators of the numbers in it.
-pub fn whole_row(row: &[Poly<Rational>]) -> Vec<Poly<BigInt>> {
-    let values = row.iter().flat_map(|poly| poly.0.values());
-    let common =
-        values.fold(BigInt::one(), |all, value| num_integer::lcm(all, value.denom().clone()));
-    let whole = |value: &Rational| value.numer() * (&common / value.denom());
-    row.iter()
-        .map(|poly| {
-            Poly(poly.0.iter().map(|(power, value)| (power.clone(), whole(value))).collect())
-        })
-        .collect()
-}
 
 /// Where a value of an unknown stands: levels and cells in halves.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     pub unknown: usize,
     pub time: Option<i32>,
-    pub space: i32,
+    pub space: Shifts,
     pub derivative: bool,
-    /// The multiple of the running index.
+    /// The multiple of the running index along the first axis.
     index: i32,
 }
 
@@ -130,9 +64,20 @@ pub struct Reader<'a> {
     pub wave: bool,
     pub unknowns: Vec<String>,
     pub letters: Letters,
+    /// The number of axes, once an unknown has been read.
+    pub dimension: Option<usize>,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    pub fn new(
+        names: BTreeMap<String, Poly<Rational>>,
+        lattice: Option<&'a Lattice>,
+        wave: bool,
+    ) -> Self {
+        let letters = Letters::default();
+        Self { names, lattice, wave, unknowns: Vec::new(), letters, dimension: None }
+    }
+
     fn evaluate(&mut self, tree: &Tree, index: Option<&str>) -> Read<Value> {
         match tree {
             Tree::Number(value) => Ok(number(Poly::number(value.clone()))),
@@ -162,7 +107,8 @@ impl Reader<'_> {
                     base = self.inverse(base)?;
                 }
                 let count = exponent.unsigned_abs();
-                ensure(size(&base) * u64::from(count) < 1_000_000, "a power is too large")?;
+                let most = size(&base).max(10 * reach(&base));
+                ensure(most * u64::from(count) < 1_000_000, "a power is too large")?;
                 (0..count).try_fold(number(Poly::one()), |power, _| product(&power, &base))
             }
             Tree::Infix(sign, left, right) => {
@@ -245,23 +191,31 @@ impl Reader<'_> {
             let halves = item.get("").cloned().unwrap_or_default() * ratio(2, 1);
             time = Some(whole(&halves, 2000)?);
         }
-        let [item] = items.as_slice() else { return refuse("one space index is expected") };
-        let known = |name: &String| name.is_empty() || name == "j" || index == Some(name);
-        let relative = item.get("j").is_some_and(One::is_one) && index != Some("j");
-        ensure(item.keys().all(known) && relative, "a space index is not understood")?;
-        let multiple = index.and_then(|k| item.get(k)).cloned().unwrap_or_default();
-        let space = item.get("").cloned().unwrap_or_default() * ratio(2, 1);
+        let axes: &[&str] = match items.len() {
+            1 => &["j"],
+            2 => &["i", "j"],
+            3 => &["i", "j", "k"],
+            _ => return refuse("one, two or three space indices are expected"),
+        };
+        let same = *self.dimension.get_or_insert(axes.len()) == axes.len();
+        ensure(same, "all unknowns have as many space indices")?;
+        ensure(index.is_none_or(|index| !axes.contains(&index)), "a running index is an axis")?;
+        let mut space = [0; 3];
+        let mut multiple = Rational::zero();
+        for (number, (item, axis)) in items.iter().zip(axes).enumerate() {
+            let running = index.filter(|_| number == 0);
+            let known = |name: &String| name.is_empty() || name == axis || running == Some(name);
+            let relative = item.get(*axis).is_some_and(One::is_one);
+            ensure(item.keys().all(known) && relative, "a space index is not understood")?;
+            multiple += running.and_then(|k| item.get(k)).cloned().unwrap_or_default();
+            let halves = item.get("").cloned().unwrap_or_default() * ratio(2, 1);
+            space[number] = whole(&halves, 2000)?;
+        }
         let unknown = self.unknowns.iter().position(|known| known == name).unwrap_or_else(|| {
             self.unknowns.push(name.into());
             self.unknowns.len() - 1
         });
-        let place = Place {
-            unknown,
-            time,
-            space: whole(&space, 2000)?,
-            derivative: prime,
-            index: whole(&multiple, 1)?,
-        };
+        let place = Place { unknown, time, space, derivative: prime, index: whole(&multiple, 1)? };
         Ok(vec![((Some(place), None), Fraction::one())])
     }
 
@@ -307,10 +261,9 @@ impl Reader<'_> {
                 function.unwrap_or_else(|| vec![(Rational::one(), Rational::zero()); reach]);
             let multiple = place.as_ref().map_or(0, |place| place.index);
             for (step, share) in self.shares(&function, multiple) {
-                let moved = place.clone().map(|place| Place {
-                    space: place.space + 2 * step,
-                    index: 0,
-                    ..place
+                let moved = place.clone().map(|mut place| {
+                    place.space[0] += 2 * step;
+                    Place { index: 0, ..place }
                 });
                 let share = Fraction::whole(share).times(&fraction);
                 add(&mut result, vec![((moved, None), share)]);
@@ -377,6 +330,14 @@ fn constant(value: &Value) -> Option<Rational> {
 fn size(value: &Value) -> u64 {
     let polys = value.iter().flat_map(|(_, fraction)| [&fraction.over, &fraction.under]);
     polys.flat_map(|poly| poly.0.values()).map(|x| x.numer().bits() + x.denom().bits()).sum()
+}
+
+/// The largest power of `z`, of a shift or of the parameter.
+fn reach(value: &Value) -> u64 {
+    let polys = value.iter().flat_map(|(_, fraction)| [&fraction.over, &fraction.under]);
+    let powers = polys.flat_map(|poly| poly.0.keys());
+    let all = powers.flat_map(|power| [power.z, power.c].into_iter().chain(power.e));
+    all.map(|power| u64::from(power.unsigned_abs())).max().unwrap_or(0)
 }
 
 fn product(left: &Value, right: &Value) -> Read<Value> {

@@ -76,7 +76,7 @@ fn enclosed_margin(derived: &Derived, letters: &Letters) -> Result<Margin, Certi
         enclosed_rows(&derived.polynomial, letters, s, complement).is_ok()
     };
     let most =
-        2 * derived.polynomial.0.keys().map(|power| power.e.unsigned_abs()).max().unwrap_or(0);
+        2 * derived.polynomial.0.keys().map(|power| power.e[0].unsigned_abs()).max().unwrap_or(0);
     let s = (0..most as usize).find(|&s| !divisible(s + 1, 0)).unwrap_or(0);
     let complement = (0..most as usize).find(|&c| !divisible(s, c + 1)).unwrap_or(0);
     let rows = enclosed_rows(&derived.polynomial, letters, s, complement)?;

@@ -1,6 +1,8 @@
 //! Stable intervals: covers of all waves in between, a growing wave at either end.
 
-use super::super::{Certificate, Cover, End, Exact, GrowingWave, Interval, LossClaim, Piece};
+use super::super::{
+    Certificate, Cover, End, Exact, GrowingWave, Interval, LineProof, LossClaim, Piece, Proof,
+};
 use super::conditions::Condition;
 use super::ends::{BEYOND, above, closed_form, just_above, just_below, touches, zero};
 use super::{CertificationError, MAX_BOXES};
@@ -85,7 +87,8 @@ impl<'a> Prover<'a> {
         let covers = self.conditions.iter().map(|one| self.cover(one, &begin, &lower, most));
         let covers = covers.collect::<Result<Vec<_>, _>>()?;
         let interval = Interval { begin, lower, upper };
-        Ok(Certificate { interval, below, covers, above, ..base.clone() })
+        let proof = LineProof { inequalities: Vec::new(), below, covers, above };
+        Ok(self.certificate(base, interval, proof))
     }
 
     /// No small value is stable.
@@ -95,7 +98,16 @@ impl<'a> Prover<'a> {
         limit: &Limit,
     ) -> Result<Certificate, CertificationError> {
         let above = Some(self.above(limit, &End::Fraction(Rational::zero()))?);
-        Ok(Certificate { interval: zero(), above, ..base.clone() })
+        let (inequalities, covers) = (Vec::new(), Vec::new());
+        let proof = LineProof { inequalities, below: None, covers, above };
+        Ok(self.certificate(base, zero(), proof))
+    }
+
+    /// With the inequalities stated.
+    fn certificate(&self, base: &Certificate, interval: Interval, proof: LineProof) -> Certificate {
+        let inequalities = self.conditions.iter().map(|one| one.stated.clone()).collect();
+        let proof = Proof::Line(LineProof { inequalities, ..proof });
+        Certificate { interval, proof, ..base.clone() }
     }
 
     /// Covers of all waves over an interval of `t`, which is halved where boxes over all of it would never

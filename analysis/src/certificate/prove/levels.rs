@@ -1,7 +1,7 @@
 //! Which conditions are asked of which part of `χ`.
 
 use super::super::derive::{
-    Characteristic, Poly, Power, derivative, proportional, reversed_conjugate,
+    Characteristic, Poly, Power, centring, derivative, proportional, reversed_conjugate, shift_name,
 };
 use super::super::{Level, Rule, Split, Subject};
 use super::CertificationError;
@@ -38,8 +38,8 @@ pub(super) fn levels(
         levels.push(Level { rule, split: None });
         let here = levels.len() - 1;
         levels[here].split = split.map(|(inside, circle)| Split {
-            inside: text(&inside, subject),
-            circle: text(&circle, subject),
+            inside: text(&inside, subject, chi.dimension),
+            circle: text(&circle, subject, chi.dimension),
         });
         if inside.len() > 2 && rule == Rule::Jury {
             // Where an inner determinant vanishes identically the minors may not.
@@ -66,14 +66,11 @@ fn complete(levels: &[Level], circle: &[Poly<BigInt>]) -> Vec<Level> {
 }
 
 fn is_real(p: &[Poly<BigInt>]) -> bool {
-    let Some(leading) = p.last() else { return false };
-    let powers = || leading.0.keys().map(|power| power.e);
-    let sum = powers().min().zip(powers().max()).map_or(0, |(low, high)| low + high);
-    let real = |coefficient: &Poly<BigInt>| {
-        let centred = coefficient.moved(0, -sum / 2);
+    let Some(shift) = p.last().and_then(centring) else { return false };
+    p.iter().all(|coefficient| {
+        let centred = coefficient.moved(0, shift);
         centred == centred.conjugate()
-    };
-    sum % 2 == 0 && p.iter().all(real)
+    })
 }
 
 /// A polynomial by the powers of `z`.
@@ -90,7 +87,8 @@ fn split(p: &[Poly<BigInt>]) -> Result<Option<(Coefficients, Coefficients)>, Cer
     let mirrored: Vec<Laurent> = reversed_conjugate(p).iter().map(to_laurent).collect();
     let mirrored = Laurent::from_coefficients(&mirrored, Variable::TIME);
     let content = whole.content(Variable::TIME);
-    let depends = content.contains(Variable::axis(0)) && content.as_monomial().is_none();
+    let axes = || (0..3).map(Variable::axis);
+    let depends = axes().any(|axis| content.contains(axis)) && content.as_monomial().is_none();
     let common = greatest_common_divisor(&whole, &mirrored);
     if !depends && !common.contains(Variable::TIME) {
         return Ok(None);
@@ -100,8 +98,8 @@ fn split(p: &[Poly<BigInt>]) -> Result<Option<(Coefficients, Coefficients)>, Cer
     let rest = whole.divide_exactly(&content).and_then(|p| p.divide_exactly(&circle));
     let part = |p: &Laurent| -> Coefficients {
         // Whole powers of E and a positive last term read better.
-        let shift = p.range(Variable::axis(0)).map_or(0, |(low, _)| low);
-        let shifted = p.shifted(Variable::axis(0), -shift);
+        let lowest = |axis| p.range(axis).map_or(0, |(low, _)| low);
+        let shifted = axes().fold(p.clone(), |p, axis| p.shifted(axis, -lowest(axis)));
         let coefficients = shifted.coefficients(Variable::TIME);
         let leading = coefficients.last().and_then(|c| c.terms().last());
         let negative = leading.is_some_and(|(_, value)| value.is_negative());
@@ -116,23 +114,24 @@ pub(super) fn to_laurent(poly: &Poly<BigInt>) -> Laurent {
     let terms = poly.0.iter().map(|(power, value)| {
         let mut exponents = [0; VARIABLES];
         exponents[0] = power.z as i16;
-        exponents[1] = power.e as i16;
+        (1..).zip(power.e).for_each(|(place, e)| exponents[place] = e as i16);
         exponents[PARAMETER] = power.c as i16;
         (exponents, value.clone())
     });
     Laurent::new(terms.collect())
 }
 
-fn from_laurent(polynomial: &Laurent) -> Poly<BigInt> {
+pub(super) fn from_laurent(polynomial: &Laurent) -> Poly<BigInt> {
     let terms = polynomial.terms().iter().map(|(exponents, value)| {
-        let [z, e, c] = [0, 1, PARAMETER].map(|place| i32::from(exponents[place]));
+        let [z, c] = [0, PARAMETER].map(|place| i32::from(exponents[place]));
+        let e = std::array::from_fn(|axis| i32::from(exponents[1 + axis]));
         (Power { z, e, c, letters: Vec::new() }, value.clone())
     });
     Poly(terms.collect())
 }
 
 /// In the language of schemes.
-fn text(p: &[Poly<BigInt>], subject: &Subject) -> String {
+pub(super) fn text(p: &[Poly<BigInt>], subject: &Subject, dimension: usize) -> String {
     let mut text = String::new();
     for (z, coefficient) in p.iter().enumerate() {
         for (power, value) in &coefficient.0 {
@@ -144,12 +143,12 @@ fn text(p: &[Poly<BigInt>], subject: &Subject) -> String {
             };
             let size = value.abs();
             let mut factors = Vec::new();
-            for (name, exponent) in
-                [("z", z as i32), ("E", power.e), (subject.parameter.as_str(), power.c)]
-            {
+            let shifts = (0..dimension).map(|axis| (shift_name(axis, dimension), power.e[axis]));
+            let powers = std::iter::once(("z".into(), z as i32)).chain(shifts);
+            for (name, exponent) in powers.chain([(subject.parameter.clone(), power.c)]) {
                 match exponent {
                     0 => {}
-                    1 => factors.push(name.to_string()),
+                    1 => factors.push(name),
                     _ => factors.push(format!("{name}^{exponent}")),
                 }
             }

@@ -60,12 +60,14 @@ type Group = (i32, Vec<(Letter, u32)>);
 
 /// Symmetric series in `E`.
 fn groups(derived: &Poly<BigInt>) -> Result<BTreeMap<Group, Vec<BigInt>>, CertificateError> {
-    let reach = derived.0.keys().map(|power| power.e.unsigned_abs() as usize).max().unwrap_or(0);
+    let one_phase = derived.0.keys().all(|power| power.e[1..] == [0, 0]);
+    ensure(one_phase, "a function of several phases")?;
+    let reach = derived.0.keys().map(|power| power.e[0].unsigned_abs() as usize).max().unwrap_or(0);
     let mut groups: BTreeMap<Group, Vec<BigInt>> = BTreeMap::new();
     for (power, value) in &derived.0 {
         let group = groups.entry((power.c, power.letters.clone()));
         let series = group.or_insert_with(|| vec![BigInt::zero(); 2 * reach + 1]);
-        series[(reach as i32 + power.e) as usize] += value;
+        series[(reach as i32 + power.e[0]) as usize] += value;
     }
     let symmetric = |series: &Vec<BigInt>| series.iter().eq(series.iter().rev());
     ensure(groups.values().all(symmetric), "not a real function of the wave")?;

@@ -1,12 +1,15 @@
 //! Bounds on counts and lengths, so that nothing in a file makes the checker run for long or overflow.
 
-use super::super::{Certificate, Exact, IntegratorStatement};
+use super::super::{Certificate, Exact, IntegratorStatement, LineProof, Proof, TorusProof};
 use super::{CertificateError, ensure};
 use crate::exact::rational::Rational;
 use num_traits::{One, Signed};
 
 const MOST: usize = 1000;
 const LONGEST: usize = 20_000;
+
+/// Cuts of one polynomial.
+const MOST_CUTS: usize = 200_000;
 
 /// The same bounds as in `docs/certificate_form.py`.
 pub(super) fn check(certificate: &Certificate) -> Result<(), CertificateError> {
@@ -41,16 +44,51 @@ pub(super) fn check(certificate: &Certificate) -> Result<(), CertificateError> {
             "the integrator is too long",
         )?;
     }
-    let lists = certificate.covers.iter().map(|cover| cover.pieces.len());
-    let waves = certificate.covers.iter().flat_map(|cover| &cover.pieces);
+    ensure(certificate.levels.len() <= 64, "a list is too long")?;
+    match &certificate.proof {
+        Proof::Line(line) => check_line(line),
+        Proof::Torus(torus) => check_torus(torus),
+    }
+}
+
+fn check_torus(proof: &TorusProof) -> Result<(), CertificateError> {
+    let short = |text: &String, most: usize| text.chars().count() <= most;
+    let small = |k: &[i32]| k.len() <= 3 && k.iter().all(|k| k.unsigned_abs() as usize <= MOST);
+    ensure(proof.inequalities.len() <= 2 * MOST, "a list is too long")?;
+    for stated in &proof.inequalities {
+        ensure(
+            stated.level <= MOST
+                && short(&stated.square, LONGEST)
+                && stated.margin.len() <= LONGEST
+                && stated.margin.iter().all(|term| term.power <= MOST && small(&term.k))
+                && stated.cells.len() <= 64,
+            "a count is out of range",
+        )?;
+        let pieces = || stated.cells.iter().flat_map(|cell| &cell.pieces);
+        ensure(
+            stated.cells.iter().all(|cell| cell.pieces.len() <= LONGEST)
+                && pieces().all(|piece| {
+                    piece.cuts.len() <= MOST && piece.cuts.iter().all(|cuts| short(cuts, MOST_CUTS))
+                }),
+            "a list is too long",
+        )?;
+    }
+    let waves = [&proof.below, &proof.above].into_iter().flatten();
+    let short_ways = waves.map(|wave| &wave.wave).all(|wave| short(&wave.way, 400));
+    ensure(short_ways, "a way is too long")
+}
+
+fn check_line(proof: &LineProof) -> Result<(), CertificateError> {
+    let lists = proof.covers.iter().map(|cover| cover.pieces.len());
+    let waves = proof.covers.iter().flat_map(|cover| &cover.pieces);
     ensure(
-        certificate.levels.len() <= 64
-            && certificate.inequalities.len() <= 2 * MOST
-            && { lists }.all(|length| length <= LONGEST)
-            && { waves }.all(|piece| piece.waves.len() <= LONGEST),
+        proof.inequalities.len() <= 2 * MOST && { lists }.all(|length| length <= LONGEST) && {
+            waves
+        }
+        .all(|piece| piece.waves.len() <= LONGEST),
         "a list is too long",
     )?;
-    for stated in &certificate.inequalities {
+    for stated in &proof.inequalities {
         let margin = &stated.margin;
         let columns = margin.coefficients.first().map_or(0, Vec::len);
         let counts =

@@ -64,6 +64,26 @@ pub(crate) fn vanishing_axes(
     sets.into_iter().find(|axes| vanishes(axes))
 }
 
+/// An axis of a blow-up about the origin along which the cube must be halved first: another corner where the polynomial vanishes lies across it, and is
+/// not joined to this one by a face on which it vanishes throughout. Corners are given by the axes, as bits, in which they differ.
+pub(crate) fn separating_axis(
+    dimension: usize,
+    axes: &[usize],
+    mut others: impl Iterator<Item = usize>,
+    vanishes: impl Fn(&[usize]) -> bool,
+) -> Option<usize> {
+    if axes.len() == 1 {
+        return None;
+    }
+    let is_across = |corner: &usize| axes.iter().any(|axis| corner >> axis & 1 == 1);
+    let is_joined = |corner: usize| {
+        let fixed: Vec<usize> = (0..dimension).filter(|axis| corner >> axis & 1 == 0).collect();
+        !fixed.is_empty() && vanishes(&fixed)
+    };
+    let other = others.find(|corner| is_across(corner) && !is_joined(*corner))?;
+    axes.iter().copied().find(|axis| other >> axis & 1 == 1)
+}
+
 impl Tensor {
     /// Whether it vanishes where all these variables are 0. True of powers and of Bernstein coefficients.
     pub(crate) fn vanishes_on(&self, axes: &[usize]) -> bool {

@@ -1,6 +1,6 @@
 //! The sign of a polynomial on the unit cube.
 
-use super::chart::{Origin, vanishing_axes};
+use super::chart::{Origin, separating_axis, vanishing_axes};
 use super::{Bernstein, Tensor};
 use crate::exact::rational::{Rational, integer, ratio};
 use num_traits::{Signed, Zero};
@@ -18,6 +18,17 @@ pub enum CubeSign {
     Undecided,
 }
 
+/// What was done about one cube.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Cut {
+    /// No coefficient is negative.
+    Leaf,
+    /// Halved along an axis.
+    Half(usize),
+    /// The charts about the common zero of some axes, after `1 − x` for some variables.
+    Charts { flipped: Vec<usize>, axes: Vec<usize> },
+}
+
 /// Charts within charts at most.
 const MOST_CHARTS: usize = 12;
 
@@ -29,11 +40,18 @@ const NEAREST: i32 = 400;
 /// Cubes are halved; where a coefficient is negative and the value at a corner is zero, halving alone would never end: the face on
 /// which the polynomial vanishes is blown up, `x_b = x_a m_b`, and the power of `x_a` that comes out is divided out.
 pub fn sign_on_cube(polynomial: &Tensor, budget: usize) -> (CubeSign, usize) {
+    let (sign, cuts) = cuts_of_cube(polynomial, budget);
+    (sign, cuts.len())
+}
+
+/// [`sign_on_cube`] with what was done about each cube, in the order in which the cubes came up: those that take the place of one wait
+/// behind all that are waiting.
+pub(crate) fn cuts_of_cube(polynomial: &Tensor, budget: usize) -> (CubeSign, Vec<Cut>) {
     let trimmed = polynomial.trimmed();
     let mut pending = VecDeque::from([(Bernstein::of(&trimmed), Rc::new(Origin::Whole))]);
-    let (mut boxes, mut undecided) = (0, false);
+    let (mut cuts, mut undecided) = (Vec::new(), false);
     while let Some((cube, origin)) = pending.pop_front() {
-        boxes += 1;
+        cuts.push(Cut::Leaf);
         if cube.tensor().values().iter().all(|value| !value.is_negative()) {
             continue;
         }
@@ -42,23 +60,31 @@ pub fn sign_on_cube(polynomial: &Tensor, budget: usize) -> (CubeSign, usize) {
         if let Some(corner) = corners.clone().find(|&corner| value(corner).is_negative())
             && let Some(point) = negative_point(&trimmed, &origin, corner)
         {
-            return (CubeSign::NegativeAt(point), boxes);
+            return (CubeSign::NegativeAt(point), cuts);
         }
-        if boxes + pending.len() >= budget {
-            return (CubeSign::Undecided, boxes);
+        if cuts.len() + pending.len() >= budget {
+            return (CubeSign::Undecided, cuts);
         }
         let zeros: Vec<usize> = corners.filter(|&corner| value(corner).is_zero()).collect();
-        match zeros.as_slice() {
-            [] => halve(&cube, &origin, widest(&cube), &mut pending),
-            [corner, rest @ ..] => match blow_up(&cube, &origin, *corner, rest) {
-                Resolution::Charts(parts) => pending.extend(parts),
-                Resolution::Halve(axis) => halve(&cube, &origin, axis, &mut pending),
-                Resolution::TooDeep => undecided = true,
-            },
+        let resolution = match zeros.as_slice() {
+            [] => Resolution::Halve(widest(&cube)),
+            [corner, rest @ ..] => blow_up(&cube, &origin, *corner, rest),
+        };
+        let cut = cuts.last_mut().expect("one was just pushed");
+        match resolution {
+            Resolution::Charts(flipped, axes, parts) => {
+                *cut = Cut::Charts { flipped, axes };
+                pending.extend(parts);
+            }
+            Resolution::Halve(axis) => {
+                *cut = Cut::Half(axis);
+                halve(&cube, &origin, axis, &mut pending);
+            }
+            Resolution::TooDeep => undecided = true,
         }
     }
     let sign = if undecided { CubeSign::Undecided } else { CubeSign::NowhereNegative };
-    (sign, boxes)
+    (sign, cuts)
 }
 
 type Pending = VecDeque<(Bernstein, Rc<Origin>)>;
@@ -82,9 +108,9 @@ fn widest(cube: &Bernstein) -> usize {
 
 /// What to do about a zero at a corner.
 enum Resolution {
-    /// Look at it closely: these cubes take its place.
-    Charts(Vec<(Bernstein, Rc<Origin>)>),
-    /// Other corners vanish too: first apart from them, along this axis.
+    /// Look at it closely: with some variables turned round, the charts of these axes take its place.
+    Charts(Vec<usize>, Vec<usize>, Vec<(Bernstein, Rc<Origin>)>),
+    /// First apart from other corners that vanish too, or smaller, along this axis.
     Halve(usize),
     /// Charts within charts without end.
     TooDeep,
@@ -94,20 +120,20 @@ enum Resolution {
 fn blow_up(cube: &Bernstein, origin: &Rc<Origin>, corner: usize, others: &[usize]) -> Resolution {
     let (mut cube, mut origin) = (cube.clone(), Rc::clone(origin));
     let dimension = cube.tensor().dimension();
-    for axis in (0..dimension).filter(|axis| corner >> axis & 1 == 1) {
+    let flipped: Vec<usize> = (0..dimension).filter(|axis| corner >> axis & 1 == 1).collect();
+    for &axis in &flipped {
         cube = cube.flipped(axis);
         origin = Rc::new(Origin::Flipped { of: origin, axis });
     }
     let axes = vanishing_axes(dimension, |axes| cube.tensor().vanishes_on(axes));
     let axes = axes.expect("it vanishes at the corner");
-    if axes.len() > 1 {
-        let across = |axis: &&usize| others.iter().any(|other| (other ^ corner) >> **axis & 1 == 1);
-        if let Some(axis) = axes.iter().find(across) {
-            return Resolution::Halve(*axis);
-        }
-        if origin.charts() >= MOST_CHARTS {
-            return Resolution::TooDeep;
-        }
+    let others = others.iter().map(|other| other ^ corner);
+    let vanishes = |axes: &[usize]| cube.tensor().vanishes_on(axes);
+    if let Some(axis) = separating_axis(dimension, &axes, others, vanishes) {
+        return Resolution::Halve(axis);
+    }
+    if axes.len() > 1 && origin.charts() >= MOST_CHARTS {
+        return Resolution::TooDeep;
     }
     let powers = cube.powers();
     let order = powers.order(&axes).unwrap_or(0);
@@ -116,7 +142,8 @@ fn blow_up(cube: &Bernstein, origin: &Rc<Origin>, corner: usize, others: &[usize
         let chart = Origin::Chart { of: Rc::clone(&origin), axes: axes.clone(), leader };
         (Bernstein::of(&polynomial), Rc::new(chart))
     };
-    Resolution::Charts(axes.iter().map(chart).collect())
+    let parts = axes.iter().map(chart).collect();
+    Resolution::Charts(flipped, axes, parts)
 }
 
 /// A point of the whole cube where the polynomial is negative, at a corner where a factor of it is or near it.

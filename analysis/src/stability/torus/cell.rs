@@ -6,6 +6,7 @@ use crate::exact::rational::{Rational, from_f64, numerator_over, to_f64};
 use crate::exact::tensor::{Origin, Tensor};
 use crate::stability::Wave;
 use num_bigint::BigInt;
+use num_traits::One;
 use std::f64::consts::PI;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -14,11 +15,11 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub(crate) struct Cell {
     /// What the axes of the piece are, from which it was blown up.
-    pub(super) turns: Arc<[Turn]>,
+    pub(crate) turns: Arc<[Turn]>,
     /// Where the cube lies in the piece.
-    pub(super) origin: Rc<Origin>,
+    pub(crate) origin: Rc<Origin>,
     /// `P(x_1, …, x_d, t)`, the parameter last.
-    pub(super) polynomial: Tensor,
+    pub(crate) polynomial: Tensor,
 }
 
 /// Where a wave stands for a long one, the direction is seen from this near.
@@ -89,7 +90,7 @@ impl Cell {
 
     fn phases(&self, point: &[Rational]) -> Vec<f64> {
         let in_piece = self.origin.in_whole(point.to_vec());
-        self.turns.iter().zip(&in_piece).map(|(turn, x)| turn.phase(to_f64(x))).collect()
+        self.turns.iter().zip(&in_piece).map(|(turn, x)| turn.phase(x)).collect()
     }
 
     /// Prepared for values in `f64`.
@@ -105,18 +106,31 @@ impl Cell {
 }
 
 impl Turn {
-    /// The phase at a point of `[0, 1]`, in `(−π, π]`.
-    pub(super) fn phase(self, x: f64) -> f64 {
+    /// The phase at a point of `[0, 1]`, in `(−π, π]`, to all digits next to both ends.
+    pub(super) fn phase(self, x: &Rational) -> f64 {
+        let complement = Rational::one() - x;
+        let is_upper = *x > complement;
         match self {
-            Self::Half if x >= 1.0 => PI,
-            Self::Half => 2.0 * x.max(0.0).sqrt().asin(),
-            Self::Quarter(turn) => {
-                let theta = if x >= 1.0 { 0.5 * PI } else { 2.0 * x.atan() };
-                let phase = f64::from(turn) * 0.5 * PI + theta;
-                if phase > PI { phase - 2.0 * PI } else { phase }
+            Self::Half if is_upper => PI - 2.0 * to_f64(&complement).max(0.0).sqrt().asin(),
+            Self::Half => 2.0 * to_f64(x).max(0.0).sqrt().asin(),
+            Self::Quarter(turn) if is_upper => {
+                // atan x = π/4 − atan((1 − x)/(1 + x))
+                let before = 2.0 * to_f64(&(complement / (Rational::one() + x))).atan();
+                match turn {
+                    3 => -before,
+                    turn => in_range(f64::from(turn + 1) * 0.5 * PI, -before),
+                }
             }
+            Self::Quarter(0) => 2.0 * to_f64(x).atan(),
+            Self::Quarter(turn) => in_range(f64::from(turn) * 0.5 * PI, 2.0 * to_f64(x).atan()),
         }
     }
+}
+
+/// A multiple of π/2 and a little, in `(−π, π]`.
+fn in_range(quarters: f64, more: f64) -> f64 {
+    let phase = quarters + more;
+    if phase > PI { (quarters - 2.0 * PI) + more } else { phase }
 }
 
 /// A [`Cell`] in `f64`.

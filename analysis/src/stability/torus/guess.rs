@@ -24,6 +24,9 @@ pub(super) struct Critical {
 const FEWEST: [usize; 3] = [32, 8, 4];
 const MOST: [usize; 3] = [256, 24, 10];
 
+/// Rounds about all neighbours of one refinement at most.
+const MOST_PASSES: usize = 400;
+
 /// A coefficient below this share of the largest is a rounding.
 const ROUNDING: f64 = 1e-15;
 
@@ -116,7 +119,11 @@ impl Guesses {
         let dimension = guess.spot.point.len();
         let mut best = guess.clone();
         let mut step = 1.0 / FEWEST[dimension - 1] as f64;
-        while step > FINEST {
+        // Roundings can be climbed for ever.
+        for _ in 0..MOST_PASSES {
+            if step <= FINEST {
+                break;
+            }
             let mut moved = false;
             for direction in directions(dimension) {
                 let to = |(x, sign): (&f64, &f64)| (x + sign * step).clamp(0.0, 1.0);

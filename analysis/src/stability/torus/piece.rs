@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use crate::exact::laurent::{Exponents, Laurent, VARIABLES, Variable};
-use crate::exact::tensor::{Origin, Tensor, vanishing_axes};
+use crate::exact::tensor::{Origin, Tensor, separating_axis, vanishing_axes};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
@@ -21,8 +21,14 @@ pub(crate) enum Turn {
 /// Zeros that all values of the parameter share are blown up this often.
 const MOST_BLOW_UPS: usize = 6;
 
+/// Cells at most: beyond, zeros stay where they are.
+const MOST_CELLS: usize = 2000;
+
+/// Coefficients of one condition on one piece at most: more are not decided.
+const MOST_COEFFICIENTS: usize = 100_000;
+
 /// A real function of waves and one parameter on the cells that cover all waves up to its symmetries; `None` where another name occurs,
-/// or where it is not real.
+/// where it is not real, or where it is too long.
 pub(crate) fn cells(
     polynomial: &Laurent,
     dimension: usize,
@@ -36,15 +42,32 @@ pub(crate) fn cells(
     if polynomial.is_zero() {
         return Some(Vec::new());
     }
-    let lowest = parameter.and_then(|p| polynomial.range(p)).map_or(0, |(low, _)| low);
+    let (lowest, highest) = parameter.and_then(|p| polynomial.range(p)).unwrap_or((0, 0));
+    let orders = (0..dimension).filter_map(|axis| polynomial.range(Variable::axis(axis)));
+    let size: usize =
+        orders.map(|(low, high)| usize::from((high - low).unsigned_abs()) + 1).product();
+    if size.saturating_mul((highest - lowest) as usize / stride + 1) > MOST_COEFFICIENTS {
+        return None;
+    }
     let mut cells = Vec::new();
-    for turns in pieces(polynomial, dimension) {
-        let tensor = on_piece(polynomial, &turns, parameter, lowest, stride);
-        let whole =
-            Cell { turns: turns.into(), origin: Rc::new(Origin::Whole), polynomial: tensor };
+    for whole in whole_cells(polynomial, dimension, parameter, stride) {
         resolve(whole, &mut cells);
     }
     Some(cells)
+}
+
+/// A real function on whole pieces that cover all waves up to its symmetries.
+pub(crate) fn whole_cells(
+    polynomial: &Laurent,
+    dimension: usize,
+    parameter: Option<Variable>,
+    stride: usize,
+) -> impl Iterator<Item = Cell> {
+    let lowest = parameter.and_then(|p| polynomial.range(p)).map_or(0, |(low, _)| low);
+    pieces(polynomial, dimension).into_iter().map(move |turns| {
+        let tensor = on_piece(polynomial, &turns, parameter, lowest, stride);
+        Cell { turns: turns.into(), origin: Rc::new(Origin::Whole), polynomial: tensor }
+    })
 }
 
 /// Powers of the parameter as they occur: the least, and 2 where all others are even steps above it.
@@ -241,7 +264,8 @@ fn resolve(cell: Cell, done: &mut Vec<Cell>) {
         });
         match zero_corner {
             Some((at_corner, axes))
-                if axes.len() == 1 || at_corner.origin.charts() < MOST_BLOW_UPS =>
+                if (axes.len() == 1 || at_corner.origin.charts() < MOST_BLOW_UPS)
+                    && done.len() + pending.len() < MOST_CELLS =>
             {
                 let parts = match second_zero(&at_corner, &axes) {
                     Some(axis) => halves(&at_corner, axis),
@@ -263,17 +287,12 @@ fn flipped(cell: &Cell, corner: usize) -> Cell {
     cell
 }
 
-/// An axis of a blow-up along which the cube must be halved first: another corner vanishes across it.
+/// An axis of a blow-up along which the cube must be halved first.
 fn second_zero(cell: &Cell, axes: &[usize]) -> Option<usize> {
-    if axes.len() == 1 {
-        return None;
-    }
-    let across = |corner: &usize| axes.iter().any(|axis| corner >> axis & 1 == 1);
     let all: Vec<usize> = (0..cell.dimension()).collect();
-    let other = (1..1usize << cell.dimension())
-        .filter(across)
-        .find(|&corner| flipped(cell, corner).polynomial.vanishes_on(&all))?;
-    axes.iter().copied().find(|axis| other >> axis & 1 == 1)
+    let zeros = (1..1usize << cell.dimension())
+        .filter(|&corner| flipped(cell, corner).polynomial.vanishes_on(&all));
+    separating_axis(cell.dimension(), axes, zeros, |axes| cell.polynomial.vanishes_on(axes))
 }
 
 fn halves(cell: &Cell, axis: usize) -> Vec<Cell> {

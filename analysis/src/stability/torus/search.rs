@@ -13,9 +13,18 @@ use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::collections::VecDeque;
 
-/// Boxes of one decision, and of all together.
+/// Boxes of one decision, and of all together, of polynomials of moderate length; fewer of longer ones.
 const MOST_BOXES: usize = 4000;
 const MOST_BOXES_IN_ALL: usize = 60_000;
+
+/// What is moderate: so many coefficients.
+const MODERATE: usize = 1000;
+
+/// Boxes for an exact limit.
+const EASY: usize = 2000;
+
+/// What may be spent more on the last resort.
+const RESERVE: usize = 10_000;
 
 /// Pieces a stretch of `t` may be cut into.
 const MOST_PIECES: usize = 400;
@@ -29,18 +38,18 @@ const WAVE_BITS: u32 = 60;
 
 /// A wave as an exact point of a cell.
 #[derive(Debug, Clone)]
-pub(super) struct ExactSpot {
-    pub(super) inequality: usize,
-    pub(super) cell: usize,
-    pub(super) point: Vec<Rational>,
+pub(crate) struct ExactSpot {
+    pub(crate) inequality: usize,
+    pub(crate) cell: usize,
+    pub(crate) point: Vec<Rational>,
 }
 
 /// Where instability begins or ends: nothing is claimed strictly between the two values of `t`.
 #[derive(Debug, Clone)]
-pub(super) struct Edge {
-    pub(super) lower: Rational,
-    pub(super) upper: Rational,
-    pub(super) spot: Option<ExactSpot>,
+pub(crate) struct Edge {
+    pub(crate) lower: Rational,
+    pub(crate) upper: Rational,
+    pub(crate) spot: Option<ExactSpot>,
 }
 
 /// What stands against the stability of a stretch.
@@ -58,6 +67,9 @@ pub(super) struct Search<'a> {
     /// The relative width of enclosures, as a power of one half.
     pub(super) bits: u32,
     budget: usize,
+    /// Boxes looked at, long ones counted more often; and how many may be.
+    spent: usize,
+    most: usize,
     pub(super) work: Work,
 }
 
@@ -69,7 +81,23 @@ impl<'a> Search<'a> {
         budget: usize,
     ) -> Self {
         let guesses = Guesses::new(inequalities, to_f64(&end));
-        Self { inequalities, guesses, end, bits: bits.max(8), budget, work: Work::default() }
+        let (spent, most) = (0, MOST_BOXES_IN_ALL.min(budget));
+        let bits = bits.max(8);
+        Self { inequalities, guesses, end, bits, budget, spent, most, work: Work::default() }
+    }
+
+    /// [`is_stable`](Self::is_stable) with few boxes: at an exact limit whose wave is no corner of a cube they would be halved without end.
+    pub(super) fn is_easily_stable(&mut self, from: &Rational, to: &Rational) -> bool {
+        let most = self.most;
+        self.most = most.min(self.spent + EASY);
+        let stable = self.is_stable(from, to).is_ok();
+        self.most = most;
+        stable
+    }
+
+    /// Some boxes more, for what can be proved at all.
+    pub(super) fn allow_more(&mut self) {
+        self.most = (self.spent + RESERVE).min(self.budget);
     }
 
     /// Whether all conditions hold for all waves and all `t` of a stretch, ends included: proved.
@@ -112,11 +140,14 @@ impl<'a> Search<'a> {
         // The ends first: there a negative value is a counterexample.
         let order = [0, last].into_iter().chain(1..last);
         for index in order.take(rows.len()) {
-            if self.work.boxes >= MOST_BOXES_IN_ALL.min(self.budget) {
+            if self.spent >= self.most {
                 return Err(Objection::Budget);
             }
-            let (sign, boxes) = sign_on_cube(&rows[index], MOST_BOXES.min(self.budget));
+            let weight = 1 + rows[index].values().len() / MODERATE;
+            let allowed = (MOST_BOXES.min(self.budget) / weight).max(1);
+            let (sign, boxes) = sign_on_cube(&rows[index], allowed);
             self.work.boxes += boxes;
+            self.spent += boxes * weight;
             match sign {
                 CubeSign::NowhereNegative => {}
                 CubeSign::NegativeAt(point) if index == 0 || index == last => {
@@ -151,6 +182,8 @@ impl<'a> Search<'a> {
             end: self.end.recip(),
             bits: self.bits,
             budget: self.budget,
+            spent: 0,
+            most: MOST_BOXES_IN_ALL.min(self.budget),
             work: Work::default(),
         };
         let end = mirrored.end.clone();
@@ -209,6 +242,16 @@ impl<'a> Search<'a> {
         None
     }
 
+    /// Whether a wave is unstable for every `t` strictly between two.
+    pub(super) fn is_unstable_between(
+        &mut self,
+        from: &Rational,
+        to: &Rational,
+        spot: &ExactSpot,
+    ) -> bool {
+        is_negative_integer_polynomial(&self.at_spot(spot), from, to) == Some(true)
+    }
+
     /// Up to which `t` a wave is unstable, from just above another one on; `None` when it is not.
     pub(super) fn unstable_until(&mut self, from: &Rational, spot: &ExactSpot) -> Option<Rational> {
         let coefficients = self.at_spot(spot);
@@ -216,18 +259,26 @@ impl<'a> Search<'a> {
             Polynomial::new(coefficients.iter().cloned().map(Rational::from).collect());
         let tiny = power_of_two(-60);
         let start = if from.is_zero() { &self.end * &tiny } else { from * (integer(1) + tiny) };
-        if is_negative_integer_polynomial(&coefficients, from, &start) != Some(true) {
+        let negative_at = |t: &Rational| polynomial.evaluate(t).is_negative();
+        if is_negative_integer_polynomial(&coefficients, from, &start) != Some(true)
+            || !negative_at(&start)
+        {
             return None;
         }
         let roots = real_roots(&polynomial, &start, &self.end, 40);
-        let negative_at = |t: &Rational| polynomial.evaluate(t).is_negative();
-        // A root that is only touched leaves the sign as it is.
-        for root in &roots {
-            let beyond = &root.upper * (integer(1) + power_of_two(-50));
-            if !negative_at(&beyond) || negative_at(&root.lower) == root.exact().is_some() {
-                let before = &root.lower * (integer(1) - power_of_two(-50));
-                return Some(if root.exact().is_some() { before } else { root.lower.clone() });
+        let mut before = start;
+        for (index, root) in roots.iter().enumerate() {
+            // Between this root and the next the sign is one: a root that is only touched leaves it as it is.
+            let next = roots.get(index + 1).map_or(&self.end, |next| &next.lower);
+            let between = (&root.upper + next) / integer(2);
+            if between <= root.upper || !negative_at(&between) {
+                // Strictly below it, where the sign is still negative.
+                let below = (&before + &root.lower) / integer(2);
+                let near = &root.lower * (integer(1) - power_of_two(-50));
+                let exact = root.exact().is_some();
+                return Some(if exact { below.max(near) } else { root.lower.clone() });
             }
+            before = between;
         }
         Some(self.end.clone())
     }

@@ -31,17 +31,46 @@ const SAME: f64 = 1e-8;
 
 /// Where all conditions hold, by the values of a parameter `C` with `t = C^stride`.
 pub(crate) fn stable_set_on_torus(demands: &TorusDemands, plan: &SearchPlan) -> StableSet {
-    let TorusDemands { inequalities, stride } = demands;
-    let stride = *stride;
-    let end = plan.max.pow(stride as i32);
-    let search = Search::new(inequalities, end, plan.bits, plan.budget);
-    Walk { search, stride, plan }.run()
+    Walk::new(demands, plan).run()
+}
+
+/// The stable stretches of `t` with the waves at their ends, as far as everything is decided; and a wave that is unstable at once.
+pub(crate) struct Stretches {
+    pub(crate) all: Vec<StableStretch>,
+    pub(crate) unstable_at_once: Option<ExactSpot>,
+    pub(crate) decided: bool,
+}
+
+/// A stable stretch of `t`.
+pub(crate) struct StableStretch {
+    pub(crate) from: Edge,
+    pub(crate) to: StretchEnd,
+}
+
+/// Where a stable stretch ends.
+pub(crate) enum StretchEnd {
+    /// Lost here, and a wave that is unstable just above.
+    Edge(Box<Edge>, Option<ExactSpot>),
+    /// At the end of the range.
+    Range,
+    /// Nowhere.
+    Unbounded,
+}
+
+/// What [`stable_set_on_torus`] finds, exactly.
+pub(crate) fn stretches_on_torus(demands: &TorusDemands, plan: &SearchPlan) -> Stretches {
+    let mut walk = Walk::new(demands, plan);
+    let decided = walk.run().undecided.is_empty();
+    let Walk { stretches: all, unstable_at_once, .. } = walk;
+    Stretches { all, unstable_at_once, decided }
 }
 
 struct Walk<'a> {
     search: Search<'a>,
     stride: usize,
     plan: &'a SearchPlan,
+    stretches: Vec<StableStretch>,
+    unstable_at_once: Option<ExactSpot>,
 }
 
 enum Stretch {
@@ -55,8 +84,16 @@ enum Stretch {
     Undecided(Rational, Rational),
 }
 
-impl Walk<'_> {
-    fn run(mut self) -> StableSet {
+impl<'a> Walk<'a> {
+    fn new(demands: &'a TorusDemands, plan: &'a SearchPlan) -> Self {
+        let TorusDemands { inequalities, stride } = demands;
+        let end = plan.max.pow(*stride as i32);
+        let search = Search::new(inequalities, end, plan.bits, plan.budget);
+        let (stretches, unstable_at_once) = (Vec::new(), None);
+        Self { search, stride: *stride, plan, stretches, unstable_at_once }
+    }
+
+    fn run(&mut self) -> StableSet {
         let mut set = StableSet {
             intervals: Vec::new(),
             undecided: Vec::new(),
@@ -71,15 +108,21 @@ impl Walk<'_> {
         let zero = Edge { lower: Rational::zero(), upper: Rational::zero(), spot: None };
         let mut from = zero.clone();
         let mut reached = self.plan.known.pow(self.stride as i32).min(self.search.end.clone());
-        for _ in 0..MOST_STRETCHES {
-            let spot = match self.stable_stretch(&reached) {
+        for stretches in 0.. {
+            if stretches == MOST_STRETCHES {
+                let open = self.values(&reached, &self.search.end.clone());
+                set.undecided.push(open);
+                break;
+            }
+            let (edge, spot) = match self.stable_stretch(&reached) {
                 Stretch::Continues => {
-                    let to = if self.search.is_stable_beyond() {
-                        Limit::unbounded(&self.plan.max, Evidence::Proved)
+                    let (to, end) = if self.search.is_stable_beyond() {
+                        (Limit::unbounded(&self.plan.max, Evidence::Proved), StretchEnd::Unbounded)
                     } else {
-                        Limit::beyond(&self.plan.max, Evidence::Proved)
+                        (Limit::beyond(&self.plan.max, Evidence::Proved), StretchEnd::Range)
                     };
                     set.intervals.push(StableInterval { from: self.limit(&from), to });
+                    self.stretches.push(StableStretch { from, to: end });
                     break;
                 }
                 Stretch::Undecided(lower, upper) => {
@@ -92,31 +135,42 @@ impl Walk<'_> {
                     break;
                 }
                 Stretch::Empty(spot) => {
-                    if reached > from.upper {
-                        let edge = Edge {
-                            lower: reached.clone(),
-                            upper: reached.clone(),
-                            spot: Some(spot.clone()),
-                        };
-                        let (start, to) = (self.limit(&from), self.limit(&edge));
-                        set.intervals.push(StableInterval { from: start, to });
-                        from = edge;
-                    } else if reached.is_zero() {
+                    let edge = Edge {
+                        lower: reached.clone(),
+                        upper: reached.clone(),
+                        spot: Some(spot.clone()),
+                    };
+                    if reached.is_zero() {
                         set.immediately_unstable = Some(self.wave(&spot));
                         let binding = self.search.inequalities[spot.inequality].binding;
                         set.immediate_binding = Some(binding);
+                        self.unstable_at_once = Some(spot.clone());
                     }
-                    spot
+                    (edge, spot)
                 }
                 Stretch::Ends(edge) => {
-                    let interval =
-                        StableInterval { from: self.limit(&from), to: self.limit(&edge) };
-                    set.intervals.push(interval);
-                    from = edge.clone();
-                    edge.spot.expect("stability ends by a wave")
+                    let spot = edge.spot.clone().expect("stability ends by a wave");
+                    (edge, spot)
                 }
             };
-            match self.unstable_stretch(&from.upper.clone(), spot) {
+            // An edge is where a wave becomes unstable, not where one touches.
+            let Some((wave, until)) = self.unstable_just_above(&edge.upper, spot) else {
+                if edge.lower == edge.upper && edge.upper > reached {
+                    reached = edge.upper;
+                    continue;
+                }
+                let open = self.values(&edge.lower, &self.search.end.clone());
+                if edge.lower > from.upper {
+                    let to = Limit::between(open.0, open.1, Evidence::Undecided);
+                    set.intervals.push(StableInterval { from: self.limit(&from), to });
+                }
+                set.undecided.push(open);
+                break;
+            };
+            if edge.upper > from.upper {
+                set.intervals.push(self.ended(from, &edge, wave));
+            }
+            match self.unstable_stretch(until) {
                 Ok(None) => break,
                 Ok(Some(edge)) => {
                     reached = edge.upper.clone();
@@ -131,6 +185,14 @@ impl Walk<'_> {
         }
         set.work = self.search.work;
         set
+    }
+
+    /// A stable stretch up to an edge.
+    fn ended(&mut self, from: Edge, edge: &Edge, wave: ExactSpot) -> StableInterval {
+        let interval = StableInterval { from: self.limit(&from), to: self.limit(edge) };
+        let to = StretchEnd::Edge(Box::new(edge.clone()), Some(wave));
+        self.stretches.push(StableStretch { from, to });
+        interval
     }
 
     /// From a value on that is stable, or the start.
@@ -149,17 +211,25 @@ impl Walk<'_> {
                 Some((from, _)) => break Some(self.search.guesses.refined(&from, true)),
             }
         };
+        let mut may_end = None;
         for _ in 0..MOST_GUESSES {
             let Some(critical) = &guess else {
                 let end = self.search.end.clone();
                 match self.search.is_stable(reached, &end) {
                     Ok(()) => return Stretch::Continues,
-                    Err(Objection::Budget) => return Stretch::Undecided(reached.clone(), end),
+                    Err(Objection::Budget) => break,
                     Err(Objection::Wave(spot, t)) => guess = self.of_counterexample(&spot, &t),
                 }
                 continue;
             };
-            let Some(edge) = self.search.edge(critical) else { break };
+            let Some(edge) = self.search.edge(critical) else {
+                // A rounding: that wave has no edge there.
+                self.search.guesses.discard(critical.parameter);
+                let next = self.search.guesses.next_unstable(at * (1.0 + SAME));
+                guess = next.map(|(from, _)| self.search.guesses.refined(&from, true));
+                continue;
+            };
+            may_end = Some(edge.lower.clone());
             match self.closed(reached, edge) {
                 Ok(edge) => return Stretch::Ends(edge),
                 Err(Objection::Budget) => break,
@@ -171,12 +241,15 @@ impl Walk<'_> {
                 }
             }
         }
-        // What can be proved of it: halves towards the start.
-        let mut to = guess.as_ref().map_or(self.search.end.clone(), |critical| {
-            crate::exact::rational::from_f64(critical.parameter).unwrap_or_default()
-        });
-        for _ in 0..4 {
-            to = (reached + &to) / integer(2);
+        // What can be proved of it: ever less of the way to where it may end.
+        let to = may_end.unwrap_or_else(|| self.search.end.clone());
+        for bits in [14, 8, 4, 2, 1, 0] {
+            self.search.allow_more();
+            let part = match bits {
+                0 => integer(1) / integer(4),
+                bits => integer(1) - power_of_two(-bits),
+            };
+            let to = reached + (&to - reached) * part;
             if self.search.is_stable(reached, &to).is_ok() {
                 return Stretch::Undecided(to, self.search.end.clone());
             }
@@ -195,7 +268,7 @@ impl Walk<'_> {
 
     /// An edge up to which everything is proved stable: the exact one, else one a little lower.
     fn closed(&mut self, reached: &Rational, edge: Edge) -> Result<Edge, Objection> {
-        if edge.lower == edge.upper && self.search.is_stable(reached, &edge.lower).is_ok() {
+        if edge.lower == edge.upper && self.search.is_easily_stable(reached, &edge.lower) {
             return Ok(edge);
         }
         let (bits, mut last) = (self.search.bits, Objection::Budget);
@@ -221,22 +294,23 @@ impl Walk<'_> {
         Some(self.search.guesses.refined(&guess, true))
     }
 
-    /// Waves that are unstable one after the other: up to the edge where stability returns, `None` to the end of the range. The error is
-    /// the value from which on nothing is known.
-    fn unstable_stretch(
+    /// A wave that is unstable just above an edge, that of the edge or another, and up to where.
+    fn unstable_just_above(
         &mut self,
-        from: &Rational,
+        edge: &Rational,
         first: ExactSpot,
-    ) -> Result<Option<Edge>, Rational> {
-        let mut first = Some(first);
-        let mut reached = loop {
-            // The wave of the edge may only touch it; then another one grows beyond.
-            let spot = first.take().or_else(|| self.unstable_at_once(from));
-            let spot = spot.ok_or_else(|| from.clone())?;
-            if let Some(until) = self.search.unstable_until(from, &spot) {
-                break until;
-            }
-        };
+    ) -> Option<(ExactSpot, Rational)> {
+        if let Some(until) = self.search.unstable_until(edge, &first) {
+            return Some((first, until));
+        }
+        let other = self.unstable_at_once(edge)?;
+        let until = self.search.unstable_until(edge, &other)?;
+        Some((other, until))
+    }
+
+    /// Waves that are unstable one after the other, from a value on up to which that is known: up to the edge where stability returns, `None` to the end of the range. The error is
+    /// the value from which on nothing is known.
+    fn unstable_stretch(&mut self, mut reached: Rational) -> Result<Option<Edge>, Rational> {
         for _ in 0..MOST_WAVES {
             if reached >= self.search.end {
                 return Ok(None);
@@ -271,10 +345,16 @@ impl Walk<'_> {
         let until = self.search.unstable_until(&reached.clone(), &spot);
         let lower = until.map_or(reached.clone(), |until| until.min(edge.lower.clone()));
         let bits = i64::from(self.search.bits);
-        for width in [bits, bits - 12, bits - 20] {
-            let upper = &edge.upper * (integer(1) + power_of_two(-width));
+        let exact = (edge.lower == edge.upper).then(|| edge.upper.clone());
+        let wider = [bits, bits - 12, bits - 20]
+            .map(|width| (&edge.upper * (integer(1) + power_of_two(-width)), width));
+        for (upper, width) in exact.map(|upper| (upper, bits - 12)).into_iter().chain(wider) {
             let beyond = &upper * (integer(1) + power_of_two(6 - width));
             if self.search.is_stable(&upper, &beyond).is_ok() {
+                // The wave of an exact edge is unstable right up to it.
+                let exact = edge.lower == edge.upper && upper == edge.upper;
+                let reaches = exact && self.search.is_unstable_between(&lower, &upper, &spot);
+                let lower = if reaches { upper.clone() } else { lower };
                 return Ok(Edge { lower, upper, spot: Some(spot) });
             }
         }

@@ -44,10 +44,10 @@ pub(super) fn may_turn(cell: &CellPolynomial) -> bool {
 pub(super) fn newton(terms: &[Lanes; TERMS]) -> (Lanes, usize) {
     let (mut lower, mut upper) = ([-1.0; LANES], [1.0; LANES]);
     let (mut first, mut last) = ([0.0; LANES], [0.0; LANES]);
-    for m in 1..TERMS {
+    for (m, term) in terms.iter().enumerate().skip(1) {
         let sign = if m % 2 == 0 { -1.0 } else { 1.0 };
         for lane in 0..LANES {
-            let slope = m as f64 * terms[m][lane];
+            let slope = m as f64 * term[lane];
             last[lane] += slope;
             first[lane] += sign * slope;
         }

@@ -15,19 +15,26 @@ fn at(series: &[CosineSeries<f64>], t: f64, phase: f64) -> f64 {
     series.iter().rev().fold(0.0, |sum, one| sum * t + one.at_cosine(phase.cos()))
 }
 
-/// Dense samples and golden sections about the best of them.
+/// Dense samples and golden sections about every maximum among them: two may be nearly as high.
 fn brute_force(f: impl Fn(f64) -> f64, degree: usize) -> f64 {
     let cells = 200 * (degree + 1);
     let step = PI / cells as f64;
-    let best = (0..=cells).max_by(|&i, &j| f(i as f64 * step).total_cmp(&f(j as f64 * step)));
-    let middle = best.unwrap_or(0) as f64 * step;
-    let (mut lower, mut upper) = (middle - step, middle + step);
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    while upper - lower > 1e-9 * step {
-        let (left, right) = (upper - golden * (upper - lower), lower + golden * (upper - lower));
-        if f(left) < f(right) { lower = left } else { upper = right }
-    }
-    f(middle).max(f(lower.midpoint(upper)))
+    let values: Vec<f64> = (0..=cells).map(|i| f(i as f64 * step)).collect();
+    let value = |i: usize| values.get(i).copied().unwrap_or(f64::NEG_INFINITY);
+    let peaks =
+        (0..=cells).filter(|&i| value(i) >= value(i.wrapping_sub(1)) && value(i) >= value(i + 1));
+    let refined = peaks.map(|i| {
+        let middle = i as f64 * step;
+        let (mut lower, mut upper) = (middle - step, middle + step);
+        let golden = 0.5 * (5f64.sqrt() - 1.0);
+        while upper - lower > 1e-9 * step {
+            let (left, right) =
+                (upper - golden * (upper - lower), lower + golden * (upper - lower));
+            if f(left) < f(right) { lower = left } else { upper = right }
+        }
+        value(i).max(f(lower.midpoint(upper)))
+    });
+    refined.fold(f64::NEG_INFINITY, f64::max)
 }
 
 proptest! {

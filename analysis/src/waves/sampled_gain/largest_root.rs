@@ -114,9 +114,9 @@ impl LargestRoots {
         for (sum, values) in self.coefficients.iter_mut().zip(values.chunks_exact(powers)) {
             *sum = ZERO;
             for value in values.iter().rev() {
-                for l in 0..LANES {
-                    sum.re[l] = sum.re[l] * t[l] + value.re;
-                    sum.im[l] = sum.im[l] * t[l] + value.im;
+                for (lane, t) in t.iter().enumerate() {
+                    sum.re[lane] = sum.re[lane] * t + value.re;
+                    sum.im[lane] = sum.im[lane] * t + value.im;
                 }
             }
         }
@@ -172,7 +172,7 @@ impl LargestRoots {
                 excess[lane] = if of[lane] > excess[lane] { of[lane] } else { excess[lane] };
             }
         }
-        let mut open = moved.map(|share| !(share <= SETTLED * SETTLED));
+        let mut open = moved.map(|share| share.is_nan() || share > SETTLED * SETTLED);
         for (lane, open) in open.iter_mut().enumerate() {
             if *open || self.are_close(lane) {
                 *open = true;

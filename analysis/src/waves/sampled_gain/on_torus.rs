@@ -16,6 +16,9 @@ const MOST: [usize; 3] = [512, 64, 16];
 /// Steps of the refinement end at this share of the first one: the value is then wrong by the square of it.
 const FINE: f64 = 1e-5;
 
+/// Rounds about all neighbours of one refinement at most.
+const MOST_PASSES: usize = 80;
+
 /// The largest and the smallest `|z|² − 1` of the largest multiplier, for each value of the one parameter that is free.
 pub(crate) fn extremes_on_torus(compiled: &CompiledStep, parameters: &[f64]) -> Vec<[f64; 2]> {
     let (_, powers) = compiled.parameter_powers();
@@ -60,7 +63,11 @@ pub(crate) fn extremes_on_torus(compiled: &CompiledStep, parameters: &[f64]) -> 
 fn refined(mut at: impl FnMut(&[f64]) -> f64, mut phase: Vec<f64>, spacing: f64) -> f64 {
     let (mut best, mut step) = (at(&phase), 0.5 * spacing);
     let directions = 3usize.pow(phase.len() as u32);
-    while step > FINE * spacing {
+    // Roundings can be climbed for ever.
+    for _ in 0..MOST_PASSES {
+        if step <= FINE * spacing {
+            break;
+        }
         let mut moved = false;
         for direction in 1..directions {
             let sign = |axis: usize| [0.0, 1.0, -1.0][direction / 3usize.pow(axis as u32) % 3];

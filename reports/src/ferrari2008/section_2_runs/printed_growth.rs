@@ -126,7 +126,7 @@ fn table(cases: &[Case]) -> Table {
             ("l/Δξ", Align::Right),
             ("printed C", Align::Right),
             ("largest |g| − 1", Align::Right),
-            ("wavelength", Align::Right),
+            ("wavelength/Δξ", Align::Right),
             ("N", Align::Right),
             ("mode", Align::Right),
             ("predicted |g| − 1", Align::Right),
