@@ -109,9 +109,14 @@ fn map_single() -> Result<Figure, FigureError> {
         .layer(FilledContours::new(field.clone(), bands.clone()))
         .layer(Isolines::new(field, [-1.0, 0.0, 1.0]).color(Color::WHITE))
         .layer(
-            Region::between(&x, &lower, &[f64::INFINITY; 200])
-                .hatch(Color::WHITE)
-                .label("unstable"),
+            Region::polygon(
+                x.iter()
+                    .copied()
+                    .zip(lower.iter().copied())
+                    .chain([(1e2, f64::INFINITY), (1e-2, f64::INFINITY)]),
+            )
+            .hatch(Color::WHITE)
+            .label("unstable"),
         )
         .layer(Line::xy(&x, &lower).color(Color::VERMILION).width(1.6))
         .layer(Note::new(1.0, 2.5e-3, "over-damped"))

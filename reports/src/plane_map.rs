@@ -1,10 +1,8 @@
 //! Maps of the amplification of any scheme over the plane of two of its parameters.
 
-use crate::figure::{
-    Axis, Color, ColorBar, Field, Figure, FigureError, FilledContours, Line, Panel, Side,
-};
+use crate::figure::{Axis, Color, Field, Figure, FigureError, FilledContours, Line, Panel, Side};
 use crate::npy;
-use crate::stability_map::{COLOR_BAR_LABEL, bands};
+use crate::stability_map::{bands, color_bar};
 use courant_analysis::exact::rational::{Rational, to_f64, to_text};
 use courant_analysis::scheme::Step;
 use courant_analysis::stability::{Limit, SearchPlan, StableSet};
@@ -112,10 +110,7 @@ impl PlaneMap {
             }
             panel = panel.layer(line);
         }
-        Ok(Figure::single(panel)
-            .size(5.2, 4.3)
-            .legend_below()
-            .color_bar(ColorBar::new(bands()?, COLOR_BAR_LABEL), Side::Right))
+        Ok(Figure::single(panel).size(5.2, 4.3).legend_below().color_bar(color_bar()?, Side::Right))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.

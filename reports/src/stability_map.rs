@@ -237,7 +237,7 @@ impl StabilityMap {
         Ok(Figure::single(self.panel(&title, &[])?)
             .size(5.2, 4.3)
             .legend_below()
-            .color_bar(ColorBar::new(bands()?, COLOR_BAR_LABEL), Side::Right))
+            .color_bar(color_bar()?, Side::Right))
     }
 
     /// The grid as comma-separated values, a row for each point.
@@ -293,8 +293,14 @@ fn stretches(curve: &[CurvePoint]) -> impl Iterator<Item = &[CurvePoint]> {
     curve.chunk_by(|a, b| (a.1 > 0.0) == (b.1 > 0.0))
 }
 
-/// What the colour bar says.
-pub const COLOR_BAR_LABEL: &str = "|g| of the most damped (blue) or fastest growing wave (red)";
+/// The colour bar: the most damped wave below 1, the fastest growing one above.
+///
+/// # Errors
+/// Never: the edges ascend and contain 1.
+pub fn color_bar() -> Result<ColorBar, FigureError> {
+    let (below, above) = ("|g| of the most damped wave", "|g| of the fastest growing wave");
+    Ok(ColorBar::of_two(bands()?, below, above))
+}
 
 /// The bands of the colour bar.
 ///

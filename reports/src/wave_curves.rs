@@ -229,7 +229,7 @@ fn against_direction(
             && let Some(value) = of(wave)
         {
             let text = format!("{} cells", curve.wavelength);
-            panel = panel.layer(Note::new(*angle, value, text).anchor(Anchor::Middle).size(6.5));
+            panel = panel.layer(Note::new(*angle, value, text).anchor(Anchor::Middle));
         }
     }
     panel

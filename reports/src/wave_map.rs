@@ -143,7 +143,6 @@ impl WaveMap {
             Shown::PhaseError => travelling,
             Shown::Amplitude => self.values.clone(),
         };
-        panel = panel.layer(Isolines::new(field(shown)?, levels.iter().copied()).width(0.6));
         let damping = self
             .damping_ratio
             .mapv(|ratio| if ratio.is_nan() { 0.0 } else { ratio.min(LARGEST_DAMPING_RATIO) });
@@ -158,7 +157,9 @@ impl WaveMap {
             };
             region.label("over-damped: both waves decay, none travels")
         });
-        panel = panel.layers(over_damped).layer(border);
+        // The values in the isolines stand over the hatching.
+        let isolines = Isolines::new(field(shown)?, levels.iter().copied()).width(0.6);
+        panel = panel.layers(over_damped).layer(isolines).layer(border);
         let unstable =
             field(self.damping_ratio.mapv(|ratio| if ratio.is_nan() { 1.0 } else { 0.0 }))?;
         let growing = regions(&unstable, 0.5)

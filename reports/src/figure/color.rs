@@ -74,14 +74,8 @@ impl Color {
         )
     }
 
-    /// CIE lightness L*, from 0 (black) to 100 (white): how bright the colour looks, and what is left of it in grey print.
-    pub fn lightness(self) -> f64 {
-        let linear = |c: u8| {
-            let c = f64::from(c) / 255.0;
-            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-        };
-        let y =
-            0.2126 * linear(self.red) + 0.7152 * linear(self.green) + 0.0722 * linear(self.blue);
-        if y <= 216.0 / 24389.0 { y * 24389.0 / 27.0 } else { 116.0 * y.cbrt() - 16.0 }
+    /// The same colour for plotters.
+    pub(super) fn plotters(self) -> plotters::style::RGBColor {
+        plotters::style::RGBColor(self.red, self.green, self.blue)
     }
 }

@@ -3,22 +3,32 @@
 use super::{
     color::Color,
     colormap::Bands,
-    font,
     geometry::{Point, Rect},
-    scene::{Anchor, Pen, Scene, Text},
-    ticks::format_number,
-    typography::*,
+    number::format_numbers,
+    panel::{Canvas, Drawn, FRAME_WIDTH, LABEL_GAP, LABEL_SIZE, TICK, TICK_SIZE},
+    picture::{Pen, Picture},
+    text::{self, POINT},
 };
+use plotters::style::{
+    FontTransform,
+    text_anchor::{HPos, VPos},
+};
+use plotters_backend::DrawingBackend;
 
-/// The key to the colours of filled contours: all bands equally long, their edges labelled.
+const BREADTH: f64 = 9.0 * POINT;
+/// Between the two halves of a bar for two quantities.
+const BREAK: f64 = 5.0 * POINT;
+/// From line to line of a label.
+const LINE: f64 = 1.25 * LABEL_SIZE * POINT;
+
+/// The key to the colours of filled contours: all bands equally long, their edges labelled; set apart by lines where
+/// their steps are not even.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColorBar {
     bands: Bands,
-    label: String,
+    /// Of the whole bar, or of its part below the break and its part above.
+    labels: Vec<String>,
 }
-
-/// From line to line of a label.
-const LINE: f64 = 1.25 * LABEL_SIZE;
 
 /// Where the colour bar of a figure stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,230 +42,244 @@ pub enum Side {
 impl ColorBar {
     /// The bar of these bands; the label names the quantity.
     pub fn new(bands: Bands, label: impl Into<String>) -> ColorBar {
-        ColorBar { bands, label: label.into() }
+        ColorBar { bands, labels: vec![label.into()] }
     }
 
-    /// Labels of the edges, with the same number of decimals where that is short.
-    fn labels(&self) -> Vec<String> {
-        let shortest: Vec<String> = self.bands.edges().iter().map(|&e| format_number(e)).collect();
-        let decimals = shortest
-            .iter()
-            .map(|l| l.split_once('.').map_or(0, |(_, d)| d.len()))
-            .max()
-            .unwrap_or(0);
-        if decimals > 2 || shortest.iter().any(|l| l.contains("10⁻") || l.contains('×')) {
-            return shortest;
+    /// The bar of bands that show one quantity below their break and another one above: broken there, a label beside
+    /// each part.
+    pub fn of_two(bands: Bands, below: impl Into<String>, above: impl Into<String>) -> ColorBar {
+        let labels = match bands.emphasis() {
+            Some(_) => vec![below.into(), above.into()],
+            None => vec![format!("{}; {}", below.into(), above.into())],
+        };
+        ColorBar { bands, labels }
+    }
+
+    /// How many bands lie below the break of a broken bar.
+    fn broken_at(&self) -> Option<usize> {
+        let at = self.bands.edges().iter().position(|e| Some(*e) == self.bands.emphasis())?;
+        (self.labels.len() > 1).then_some(at)
+    }
+
+    /// Where each band begins and ends on a bar from `start` (low values) to `end`, tips left out.
+    fn places(&self, start: f64, end: f64) -> Vec<[f64; 2]> {
+        let (sign, n) = ((end - start).signum(), self.bands.colors().len());
+        let low = start + if self.bands.below().is_some() { sign * BREADTH } else { 0.0 };
+        let high = end - if self.bands.above().is_some() { sign * BREADTH } else { 0.0 };
+        let gap = if self.broken_at().is_some() { sign * BREAK } else { 0.0 };
+        let step = (high - low - gap) / n as f64;
+        let beyond = |k: usize| if self.broken_at().is_some_and(|b| k >= b) { gap } else { 0.0 };
+        (0..n).map(|k| [k, k + 1].map(|edge| low + step * edge as f64 + beyond(k))).collect()
+    }
+
+    /// The lines of each label where its part of a bar of this length has room for so much.
+    fn lines(&self, length: f64) -> Vec<Vec<String>> {
+        let n = self.bands.colors().len() as f64;
+        let parts = match self.broken_at() {
+            Some(at) => vec![at as f64 / n, 1.0 - at as f64 / n],
+            None => vec![1.0],
+        };
+        self.labels.iter().zip(parts).map(|(label, part)| wrapped(label, part * length)).collect()
+    }
+
+    /// Breadth of the bar with its labels beside plots of this length together.
+    pub(super) fn breadth(&self, side: Side, length: f64) -> f64 {
+        let numbers = match side {
+            Side::Right => widest(&format_numbers(self.bands.edges())),
+            Side::Below => TICK_SIZE * POINT,
+        };
+        let lines = self.lines(length).iter().map(Vec::len).max().unwrap_or(0) as f64;
+        BREADTH + 2.0 * TICK + numbers + LABEL_GAP + lines * LINE
+    }
+
+    /// Draws the bar along the plots, its near side `at`.
+    pub(super) fn draw<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<DB>,
+        side: Side,
+        plots: &Rect,
+        at: f64,
+    ) -> Drawn<DB> {
+        let numbers = format_numbers(self.bands.edges());
+        // The numbers at the ends of a level bar must not stick out of the page.
+        let inset = 0.5 * widest(&numbers);
+        let (start, end) = match side {
+            Side::Right => (plots.bottom, plots.top),
+            Side::Below => (plots.left + inset, plots.right - inset),
+        };
+        let place = |along: f64, across: f64| match side {
+            Side::Right => [at + across, along],
+            Side::Below => [along, at + across],
+        };
+        let unit = |p: Point| (p[0].round() as i32, p[1].round() as i32);
+        let places = self.places(start, end);
+        let mut picture = self.picture(&places, [start, end], place);
+        // An edge lies in the middle of the break.
+        let first = places.first().map(|p| p[0]);
+        let last = places.last().map(|p| p[1]);
+        let inner = places.windows(2).map(|w| 0.5 * (w[0][1] + w[1][0]));
+        let edges: Vec<f64> = first.into_iter().chain(inner).chain(last).collect();
+        let room: Vec<f64> = match side {
+            Side::Right => vec![1.15 * TICK_SIZE * POINT; edges.len()],
+            Side::Below => {
+                let width = |n: &String| text::width(n, TICK_SIZE) + 0.8 * TICK_SIZE;
+                numbers.iter().map(|n| width(n) * POINT).collect()
+            }
+        };
+        let emphasis = self.bands.edges().iter().position(|e| Some(*e) == self.bands.emphasis());
+        let (h, v) = match side {
+            Side::Right => (HPos::Left, VPos::Center),
+            Side::Below => (HPos::Center, VPos::Top),
+        };
+        let style = text::style(TICK_SIZE, Color::BLACK, h, v);
+        for k in spaced(&edges, &room, emphasis) {
+            if self.broken_at() != Some(k) {
+                let tick = [place(edges[k], BREADTH), place(edges[k], BREADTH + TICK)];
+                picture.stroke(&tick, Pen::solid(Color::BLACK, FRAME_WIDTH));
+            }
+            let at = place(edges[k], BREADTH + 2.0 * TICK);
+            canvas.draw_text(&numbers[k], &style, unit(at))?;
         }
-        let edges = self.bands.edges().iter();
-        edges.map(|e| format!("{e:.decimals$}").replace('-', "−")).collect()
+        canvas.draw(&picture)?;
+        let length = (end - start).abs();
+        let across = self.breadth(side, length);
+        let middles = match self.broken_at() {
+            Some(k) => vec![0.5 * (start + places[k - 1][1]), 0.5 * (places[k][0] + end)],
+            None => vec![0.5 * (start + end)],
+        };
+        let upright = text::style(LABEL_SIZE, Color::BLACK, HPos::Center, VPos::Bottom)
+            .transform(FontTransform::Rotate270);
+        let level = text::style(LABEL_SIZE, Color::BLACK, HPos::Center, VPos::Bottom);
+        let style = if side == Side::Right { &upright } else { &level };
+        let all = self.lines(length);
+        let most = all.iter().map(Vec::len).max().unwrap_or(0);
+        for (lines, middle) in all.iter().zip(middles) {
+            for (k, line) in lines.iter().enumerate() {
+                let at = place(middle, across - (most - 1 - k) as f64 * LINE);
+                canvas.draw_text(line, style, unit(at))?;
+            }
+        }
+        Ok(())
     }
 
-    /// The same bar with its label broken at spaces into lines no longer than `length`, where it is upright.
-    pub(super) fn wrapped(&self, length: f64) -> ColorBar {
-        let broken = |length: f64| {
-            let mut lines: Vec<String> = Vec::new();
-            for word in self.label.split(' ') {
-                match lines.last_mut() {
-                    Some(line) if font::width(&format!("{line} {word}"), LABEL_SIZE) <= length => {
-                        line.push(' ');
-                        line.push_str(word);
-                    }
-                    _ => lines.push(word.into()),
+    /// The coloured part.
+    fn picture(
+        &self,
+        places: &[[f64; 2]],
+        [start, end]: [f64; 2],
+        place: impl Fn(f64, f64) -> Point,
+    ) -> Picture {
+        let mut picture = Picture::default();
+        let pen = Pen::solid(Color::BLACK, FRAME_WIDTH);
+        let mut add = |ring: Vec<Point>, color: Color, outlined: bool| {
+            if outlined {
+                picture.outline(&ring, pen);
+            } else {
+                picture.fill(&[ring], color, 1.0);
+            }
+        };
+        let edges = self.bands.edges();
+        let steps = || edges.windows(2).map(|w| w[1] - w[0]);
+        let even = steps().all(|s| (s - (edges[1] - edges[0])).abs() < 1e-9 * s.abs());
+        let rect = |[a, b]: [f64; 2]| {
+            vec![place(a, 0.0), place(b, 0.0), place(b, BREADTH), place(a, BREADTH)]
+        };
+        let tip = |from: f64, to: f64| {
+            vec![place(from, 0.0), place(to, 0.5 * BREADTH), place(from, BREADTH)]
+        };
+        let ends = [places[0][0], places[places.len() - 1][1]];
+        let tips =
+            [(self.bands.below(), tip(ends[0], start)), (self.bands.above(), tip(ends[1], end))];
+        for outlined in [false, true] {
+            for (&color, &place) in self.bands.colors().iter().zip(places) {
+                // One frame around even bands.
+                if !(outlined && even) {
+                    add(rect(place), color, outlined);
                 }
             }
-            lines
-        };
-        // As few lines as fit, and these about equally long.
-        let fewest = broken(length);
-        let even = font::width(&self.label, LABEL_SIZE) / fewest.len() as f64;
-        let lengths = (0..20).map(|k| even + (length - even) * f64::from(k) / 20.0);
-        let lines = lengths.map(broken).find(|lines| lines.len() <= fewest.len());
-        ColorBar { bands: self.bands.clone(), label: lines.unwrap_or(fewest).join("\n") }
+            if outlined && even {
+                add(rect(ends), Color::BLACK, true);
+            }
+            for (color, tip) in &tips {
+                color.iter().for_each(|&color| add(tip.clone(), color, outlined));
+            }
+        }
+        picture
     }
+}
 
-    /// Breadth of an upright bar with its labels.
-    pub(super) fn breadth_right(&self) -> f64 {
-        let widest = self.labels().iter().map(|l| font::width(l, TICK_SIZE)).fold(0.0, f64::max);
-        let lines = self.label.lines().count() as f64;
-        let label = if lines > 0.0 { LABEL_GAP + LABEL_SIZE + (lines - 1.0) * LINE } else { 0.0 };
-        BAR_BREADTH + MINOR_TICK_LENGTH + TICK_GAP + widest + label + font::DESCENT * LABEL_SIZE
-    }
+/// The width of the widest number at a tick.
+pub(super) fn widest<T: AsRef<str>>(numbers: &[T]) -> f64 {
+    numbers.iter().map(|n| text::width(n.as_ref(), TICK_SIZE * POINT)).fold(0.0, f64::max)
+}
 
-    /// Breadth of a level bar with its labels.
-    pub(super) fn breadth_below(&self) -> f64 {
-        let label = if self.label.is_empty() { 0.0 } else { LABEL_GAP + LABEL_SIZE };
-        BAR_BREADTH + MINOR_TICK_LENGTH + TICK_GAP + TICK_SIZE + label + font::DESCENT * LABEL_SIZE
-    }
-
-    /// Draws the bar upright between two heights, its left side at `left`.
-    pub(super) fn draw_right(&self, scene: &mut Scene, left: f64, top: f64, bottom: f64) {
-        let right = left + BAR_BREADTH;
-        let edges = self.draw_bands(scene, bottom, top, |along, across| [left + across, along]);
-        let labels = self.labels();
-        let heights = vec![1.15 * TICK_SIZE; labels.len()];
-        for k in spaced(&edges, &heights, self.emphasis()) {
-            let x = right + MINOR_TICK_LENGTH;
-            scene.stroke(
-                vec![vec![[right, edges[k]], [x, edges[k]]]],
-                Pen::solid(Color::BLACK, FRAME_WIDTH),
-            );
-            let at = [x + TICK_GAP, edges[k] + 0.5 * font::CAP_HEIGHT * TICK_SIZE];
-            scene.text(Text::new(labels[k].clone(), at, TICK_SIZE));
+/// A label broken at spaces into as few lines no longer than `length` as can be, about equally long.
+fn wrapped(label: &str, length: f64) -> Vec<String> {
+    let width = |text: &str| text::width(text, LABEL_SIZE * POINT);
+    let broken = |length: f64| {
+        let mut lines: Vec<String> = Vec::new();
+        for word in label.split_whitespace() {
+            match lines.last_mut() {
+                Some(line) if width(&format!("{line} {word}")) <= length => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                _ => lines.push(word.into()),
+            }
         }
-        let x = left + self.breadth_right() - font::DESCENT * LABEL_SIZE;
-        for (above, line) in self.label.lines().rev().enumerate() {
-            let at = [x - above as f64 * LINE, 0.5 * (top + bottom)];
-            scene.text(Text {
-                angle: 90.0,
-                anchor: Anchor::Middle,
-                ..Text::new(line, at, LABEL_SIZE)
-            });
-        }
-    }
-
-    /// Draws the bar level between two abscissae, its upper side at `top`.
-    pub(super) fn draw_below(&self, scene: &mut Scene, top: f64, left: f64, right: f64) {
-        let bottom = top + BAR_BREADTH;
-        let labels = self.labels();
-        // The labels of the ends must not stick out of the page.
-        let inset = 0.5 * labels.iter().map(|l| font::width(l, TICK_SIZE)).fold(0.0, f64::max);
-        let edges = self
-            .draw_bands(scene, left + inset, right - inset, |along, across| [along, top + across]);
-        let widths: Vec<f64> =
-            labels.iter().map(|l| font::width(l, TICK_SIZE) + 0.8 * TICK_SIZE).collect();
-        let baseline = bottom + MINOR_TICK_LENGTH + TICK_GAP + font::CAP_HEIGHT * TICK_SIZE;
-        for k in spaced(&edges, &widths, self.emphasis()) {
-            scene.stroke(
-                vec![vec![[edges[k], bottom], [edges[k], bottom + MINOR_TICK_LENGTH]]],
-                Pen::solid(Color::BLACK, FRAME_WIDTH),
-            );
-            scene.text(Text {
-                anchor: Anchor::Middle,
-                ..Text::new(labels[k].clone(), [edges[k], baseline], TICK_SIZE)
-            });
-        }
-        let at = [
-            0.5 * (left + right),
-            baseline
-                + (1.0 - font::CAP_HEIGHT) * TICK_SIZE
-                + LABEL_GAP
-                + font::CAP_HEIGHT * LABEL_SIZE,
-        ];
-        scene
-            .text(Text { anchor: Anchor::Middle, ..Text::new(self.label.clone(), at, LABEL_SIZE) });
-    }
-
-    fn emphasis(&self) -> Option<usize> {
-        self.bands.edges().iter().position(|e| Some(*e) == self.bands.emphasis())
-    }
-
-    /// Draws the coloured part from `start` (low values) to `end`, and returns where the edges lie along it.
-    fn draw_bands(
-        &self,
-        scene: &mut Scene,
-        start: f64,
-        end: f64,
-        at: impl Fn(f64, f64) -> Point,
-    ) -> Vec<f64> {
-        let bands = &self.bands;
-        let tip = BAR_BREADTH * (end - start).signum();
-        let low = if bands.below().is_some() { start + tip } else { start };
-        let high = if bands.above().is_some() { end - tip } else { end };
-        let n = bands.colors().len();
-        let edges: Vec<f64> = (0..=n).map(|k| low + (high - low) * k as f64 / n as f64).collect();
-        let box_of = |a: f64, b: f64| -> Vec<Point> {
-            vec![at(a, 0.0), at(b, 0.0), at(b, BAR_BREADTH), at(a, BAR_BREADTH)]
-        };
-        let pointed = |from: f64, to: f64| -> Vec<Point> {
-            vec![at(from, 0.0), at(to, 0.5 * BAR_BREADTH), at(from, BAR_BREADTH)]
-        };
-        if let Some(color) = bands.below() {
-            scene.fill(vec![pointed(low, start)], color, 1.0);
-        }
-        // Painted over one another as in the map, without seams.
-        for (k, &color) in bands.colors().iter().enumerate() {
-            scene.fill(vec![box_of(edges[k], high)], color, 1.0);
-        }
-        if let Some(color) = bands.above() {
-            scene.fill(vec![pointed(high, end)], color, 1.0);
-        }
-        let mut outline = vec![at(low, 0.0)];
-        outline.push(at(high, 0.0));
-        if bands.above().is_some() {
-            outline.push(at(end, 0.5 * BAR_BREADTH));
-        }
-        outline.extend([at(high, BAR_BREADTH), at(low, BAR_BREADTH)]);
-        if bands.below().is_some() {
-            outline.push(at(start, 0.5 * BAR_BREADTH));
-        }
-        scene.outline(outline, Pen::solid(Color::BLACK, FRAME_WIDTH));
-        edges
-    }
+        lines
+    };
+    let fewest = broken(length);
+    let even = width(label) / fewest.len().max(1) as f64;
+    let mut lengths = (0..20).map(|k| even + (length - even) * f64::from(k) / 20.0).map(broken);
+    lengths.find(|lines| lines.len() <= fewest.len()).unwrap_or(fewest)
 }
 
 /// Which labels can stand without touching: the emphasised one, the ends, then every `s`-th with the smallest `s`.
 fn spaced(at: &[f64], sizes: &[f64], emphasis: Option<usize>) -> Vec<usize> {
     let fits = |a: usize, b: usize| (at[a] - at[b]).abs() >= 0.5 * (sizes[a] + sizes[b]);
-    let origin = emphasis.unwrap_or(0);
-    let stride = (1..at.len().max(2))
-        .find(|&s| {
-            let chosen: Vec<usize> =
-                (0..at.len()).filter(|k| k.abs_diff(origin) % s == 0).collect();
-            chosen.windows(2).all(|w| fits(w[0], w[1]))
-        })
-        .unwrap_or(at.len());
-    let mut chosen: Vec<usize> =
-        (0..at.len()).filter(|k| k.abs_diff(origin) % stride == 0).collect();
+    let every = |s: usize| -> Vec<usize> {
+        (0..at.len()).filter(|k| k.abs_diff(emphasis.unwrap_or(0)) % s == 0).collect()
+    };
+    let apart = |s: &usize| every(*s).windows(2).all(|w| fits(w[0], w[1]));
+    let mut chosen = every((1..at.len()).find(apart).unwrap_or(at.len()));
     for end in [0, at.len() - 1] {
         if chosen.iter().all(|&k| k != end && fits(k, end)) {
             chosen.push(end);
         }
     }
-    chosen.sort_unstable();
     chosen
-}
-
-impl ColorBar {
-    /// Draws the bar beside or below the plots.
-    pub(super) fn draw(&self, scene: &mut Scene, side: Side, plots: &Rect, at: f64) {
-        match side {
-            Side::Right => self.draw_right(scene, at, plots.top, plots.bottom),
-            Side::Below => self.draw_below(scene, at, plots.left, plots.right),
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::ColorMap;
 
     #[test]
-    fn labels_agree_in_decimals() {
-        let edges = vec![0.0, 0.5, 0.75, 1.0, 2.0];
-        let bar = ColorBar::new(Bands::sequential(edges, ColorMap::Viridis).unwrap(), "");
-        assert_eq!(bar.labels(), ["0.00", "0.50", "0.75", "1.00", "2.00"]);
+    fn long_labels_are_broken() {
+        let long = "of the most damped wave where stable, of the fastest growing one where not";
+        let lines = wrapped(long, 200.0 * POINT);
+        assert_eq!(lines.len(), 2);
+        assert!(lines.iter().all(|l| text::width(l, LABEL_SIZE) <= 200.0));
+        assert_eq!(lines.join(" "), long);
+        assert!(wrapped("", 10.0).is_empty());
     }
 
     #[test]
-    fn long_labels_of_upright_bars_are_broken() {
-        let bar = |label| {
-            ColorBar::new(Bands::sequential(vec![0.0, 1.0], ColorMap::Viridis).unwrap(), label)
-        };
-        let long =
-            bar("of the most damped wave where stable, of the fastest growing one where not");
-        let wrapped = long.wrapped(200.0);
-        assert_eq!(wrapped.label.lines().count(), 2);
-        assert!(wrapped.label.lines().all(|line| font::width(line, LABEL_SIZE) <= 200.0));
-        assert_eq!(wrapped.label.replace('\n', " "), long.label);
-        assert!((wrapped.breadth_right() - long.breadth_right() - LINE).abs() < 1e-12);
-        assert_eq!(bar("").wrapped(10.0), bar(""));
+    fn bands_of_a_broken_bar_are_equally_long() {
+        let bands = Bands::two_sided(vec![0.0, 0.5, 1.0, 2.0], 1.0).unwrap();
+        let places =
+            ColorBar::of_two(bands.extend_above(Color::DARK_RED), "a", "b").places(0.0, 1000.0);
+        let length = (1000.0 - BREAK - BREADTH) / 3.0;
+        assert!(places.iter().all(|p| (p[1] - p[0] - length).abs() < 1e-9));
+        assert!((places[2][0] - places[1][1] - BREAK).abs() < 1e-9);
     }
 
     #[test]
     fn crowded_labels_keep_the_break_and_never_touch() {
         let at: Vec<f64> = (0..=20).map(|k| 5.0 * f64::from(k)).collect();
-        let chosen = spaced(&at, &[12.0; 21], Some(7));
+        let mut chosen = spaced(&at, &[12.0; 21], Some(7));
+        chosen.sort_unstable();
         assert!(chosen.contains(&7));
         assert!(chosen.windows(2).all(|w| at[w[1]] - at[w[0]] >= 12.0));
         assert_eq!(spaced(&at, &[1.0; 21], None).len(), 21);

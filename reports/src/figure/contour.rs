@@ -20,15 +20,6 @@ pub struct Field {
     values: Array2<f64>,
 }
 
-/// A chain of points.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Isoline {
-    /// The points in order, the larger values to the left of the way. A closed line does not repeat its first point.
-    pub points: Vec<Point>,
-    /// Whether the last point joins the first.
-    pub closed: bool,
-}
-
 impl Field {
     /// A field from its nodes and values.
     ///
@@ -69,21 +60,6 @@ impl Field {
     /// The y nodes.
     pub fn y(&self) -> &[f64] {
         &self.y
-    }
-
-    /// The lines along which the field has the value `level`, in the coordinates of the nodes.
-    ///
-    /// ```
-    /// use courant_reports::figure::Field;
-    /// let nodes: Vec<f64> = (0..=40).map(|i| -1.0 + 0.05 * f64::from(i)).collect();
-    /// let field = Field::from_fn(nodes.clone(), nodes, |x, y| x * x + y * y)?;
-    /// let lines = field.isolines(0.25);
-    /// assert_eq!(lines.len(), 1);
-    /// assert!(lines[0].closed);
-    /// # Ok::<(), courant_reports::figure::FigureError>(())
-    /// ```
-    pub fn isolines(&self, level: f64) -> Vec<Isoline> {
-        self.on(&self.x, &self.y).isolines(level)
     }
 
     /// The outline of the region where the field is at least `level`: closed rings, counterclockwise around the region
@@ -143,7 +119,8 @@ const NEIGHBOURS: [(usize, usize); 4] = [(1, 0), (2, 1), (1, 2), (0, 1)];
 type Piece = (u64, u64);
 
 impl Trace<'_> {
-    pub(super) fn isolines(&self, level: f64) -> Vec<Isoline> {
+    /// The lines of one value; a closed one repeats its first point.
+    pub(super) fn isolines(&self, level: f64) -> Vec<Vec<Point>> {
         let mut pieces = Vec::new();
         self.for_each_cell(level, |cell| cell.crossings(&mut pieces));
         self.join(pieces, level)
@@ -160,7 +137,13 @@ impl Trace<'_> {
                 }
             }
         });
-        self.join(pieces, level).into_iter().map(|line| line.points).collect()
+        let mut rings = self.join(pieces, level);
+        // Where the level only touches a node a ring is no more than a point.
+        rings.retain(|ring| ring.len() > 3);
+        for ring in &mut rings {
+            ring.pop();
+        }
+        rings
     }
 
     /// Visits the cells that the level crosses, and the high ones at the rim.
@@ -202,7 +185,8 @@ impl Trace<'_> {
         [between(self.x[i], self.x[k]), between(self.y[j], self.y[l])]
     }
 
-    fn join(&self, mut pieces: Vec<Piece>, level: f64) -> Vec<Isoline> {
+    /// Chains of pieces, the larger values to the left of the way.
+    fn join(&self, mut pieces: Vec<Piece>, level: f64) -> Vec<Vec<Point>> {
         pieces.sort_unstable();
         let mut ends: Vec<u64> = pieces.iter().map(|p| p.1).collect();
         ends.sort_unstable();
@@ -227,13 +211,9 @@ impl Trace<'_> {
                 last = pieces[k].1;
                 keys.push(last);
             }
-            let closed = last == first;
-            if closed {
-                keys.pop();
-            }
             let mut points: Vec<Point> = keys.iter().map(|&k| self.place(k, level)).collect();
             points.dedup(); // a line through a node meets it on two sides
-            lines.push(Isoline { points, closed });
+            lines.push(points);
         }
         lines
     }

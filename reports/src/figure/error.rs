@@ -67,4 +67,7 @@ pub enum FigureError {
     /// The PNG encoder failed.
     #[error("cannot encode the PNG: {0}")]
     Png(#[from] png::EncodingError),
+    /// The drawing library failed.
+    #[error("cannot draw: {0}")]
+    Drawing(String),
 }

@@ -1,22 +1,31 @@
 //! Figures: panels in a grid, with what they share.
 
 use super::{
-    bitmap,
+    color::Color,
     color_bar::{ColorBar, Side},
     error::FigureError,
-    font,
     geometry::Rect,
     legend,
-    panel::{Margins, Panel, Resolved},
-    scene::{Anchor, Scene, Text},
-    svg,
-    typography::*,
+    panel::{BAR_GAP, Canvas, Drawn, LABEL_GAP, Margins, Panel, Resolved},
+    raster::{self, Raster},
+    text::{self, POINT},
+    vector::{self, Vector},
 };
+use plotters::{
+    backend::SVGBackend,
+    drawing::IntoDrawingArea,
+    style::{
+        WHITE,
+        text_anchor::{HPos, VPos},
+    },
+};
+use plotters_backend::DrawingBackend;
 
-/// Dots per inch of the PNG.
-const DPI: f64 = 300.0;
-/// Points per inch.
-const POINTS: f64 = 72.0;
+const FIGURE_TITLE_SIZE: f64 = 10.5;
+/// Between neighbouring panels, beside their labels.
+const PANEL_GAP: f64 = 7.0 * POINT;
+/// Around everything.
+const PAGE_MARGIN: f64 = 4.0 * POINT;
 
 /// Panels in a grid, with title, legend and colour bar in common.
 ///
@@ -38,12 +47,11 @@ impl Figure {
     /// column of panels.
     pub fn grid(rows: usize, columns: usize) -> Figure {
         let width = if columns > 1 { 7.0 } else { 4.5 };
-        let height = 0.6 + rows as f64 * width / columns.max(1) as f64 * 0.72;
         Figure {
             rows,
             columns,
             width,
-            height,
+            height: 0.6 + rows as f64 * width / columns.max(1) as f64 * 0.72,
             title: String::new(),
             panels: Vec::new(),
             color_bar: None,
@@ -98,86 +106,117 @@ impl Figure {
     /// # Errors
     /// If an axis has an impossible range, or the panels do not fit.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        bitmap::png(&self.scene()?, DPI)
+        let mut pixels = raster::pixels(self.units())?;
+        self.draw_on(Raster::new(self.units(), &mut pixels))?;
+        raster::png(&pixels)
     }
 
-    /// The picture as SVG; letters are outlines, so that it looks the same everywhere.
+    /// The picture as SVG. Axes, titles and legends are text.
     ///
     /// # Errors
     /// As [`Figure::png`].
     pub fn svg(&self) -> Result<String, FigureError> {
-        Ok(svg::svg(&self.scene()?))
+        let mut document = String::new();
+        self.draw_on(Vector(SVGBackend::with_string(&mut document, self.units())))?;
+        Ok(vector::sized(&document, self.units()))
     }
 
-    /// [PNG](Self::png) and [SVG](Self::svg) of one layout, drawn at the same time.
+    /// [PNG](Self::png) and [SVG](Self::svg), drawn at the same time.
     ///
     /// # Errors
     /// As [`Figure::png`].
     pub fn pictures(&self) -> Result<(Vec<u8>, String), FigureError> {
-        let scene = self.scene()?;
-        let (png, svg) = rayon::join(|| bitmap::png(&scene, DPI), || svg::svg(&scene));
-        Ok((png?, svg))
+        let (png, svg) = rayon::join(|| self.png(), || self.svg());
+        Ok((png?, svg?))
     }
 
-    fn scene(&self) -> Result<Scene, FigureError> {
+    /// The size of the canvas.
+    fn units(&self) -> (u32, u32) {
+        let units = |inches: f64| (inches * 72.0 * POINT).round() as u32;
+        (units(self.width), units(self.height))
+    }
+
+    fn draw_on<DB: DrawingBackend>(&self, backend: DB) -> Result<(), FigureError> {
         let (rows, columns) = (self.rows, self.columns);
         if self.panels.len() > rows * columns || self.panels.is_empty() {
             return Err(FigureError::PanelCount { panels: self.panels.len(), rows, columns });
         }
         let panels: Vec<Resolved> =
             self.panels.iter().map(Panel::resolve).collect::<Result<_, _>>()?;
-        let mut scene = Scene::new(self.width * POINTS, self.height * POINTS);
-        let page = Rect { left: 0.0, top: 0.0, right: scene.width, bottom: scene.height };
+        let (width, height) = self.units();
+        let page = Rect { left: 0.0, top: 0.0, right: width.into(), bottom: height.into() };
         let mut area = page.grown(-PAGE_MARGIN);
         if !self.title.is_empty() {
-            let at = [0.5 * page.right, area.top + font::CAP_HEIGHT * FIGURE_TITLE_SIZE];
-            scene.text(Text {
-                anchor: Anchor::Middle,
-                ..Text::new(self.title.clone(), at, FIGURE_TITLE_SIZE)
-            });
-            area.top += 1.5 * FIGURE_TITLE_SIZE;
+            area.top += 1.5 * FIGURE_TITLE_SIZE * POINT;
         }
-        if self.legend_below {
-            let entries = legend::entries(self.panels.iter().flat_map(Panel::all_layers));
-            let height = legend::height_in_rows(&entries, area.width());
-            let rect = Rect { top: area.bottom - height, ..area };
-            legend::draw_in_rows(&mut scene, &rect, &entries);
-            area.bottom -= height + LABEL_GAP;
+        let entries = match self.legend_below {
+            true => legend::entries(self.panels.iter().flat_map(Panel::all_layers)),
+            false => Vec::new(),
+        };
+        let legend_rows = legend::rows(&entries, area.width());
+        if !entries.is_empty() {
+            area.bottom -= legend_rows.len() as f64 * legend::ROW + LABEL_GAP;
         }
-        // An upright label is centred on the plots, which are shorter than the area by titles and axes.
-        let color_bar = self.color_bar.as_ref().map(|(bar, side)| match side {
-            Side::Right => (bar.wrapped(0.85 * area.height()), *side),
-            Side::Below => (bar.clone(), *side),
-        });
-        match &color_bar {
-            Some((bar, Side::Right)) => area.right -= bar.breadth_right() + BAR_GAP,
-            Some((bar, Side::Below)) => area.bottom -= bar.breadth_below() + BAR_GAP,
-            None => {}
+        let legend_top = area.bottom + LABEL_GAP;
+        // The label of an upright bar is centred on the plots, which are shorter than the area by titles and axes.
+        if let Some((bar, side)) = &self.color_bar {
+            match side {
+                Side::Right => area.right -= bar.breadth(*side, 0.85 * area.height()) + BAR_GAP,
+                Side::Below => area.bottom -= bar.breadth(*side, area.width()) + BAR_GAP,
+            }
         }
         let grid = Grid::fit(&panels, rows, columns, &area)?;
-        for (k, panel) in panels.iter().enumerate() {
-            let (row, column) = (k / columns, k % columns);
-            panel.draw(&mut scene, grid.plot(row, column), grid.columns[column].1.left);
-        }
-        if let Some((bar, side)) = &color_bar {
-            let (first, last) = (grid.plot(0, 0), grid.plot(rows - 1, columns - 1));
-            let plots = Rect { right: last.right, bottom: last.bottom, ..first };
-            let at = match side {
-                Side::Right => area.right + BAR_GAP,
-                Side::Below => area.bottom + BAR_GAP,
-            };
-            bar.draw(&mut scene, *side, &plots, at);
-        }
-        Ok(scene)
+        let canvas = backend.into_drawing_area();
+        let draw = || -> Drawn<DB> {
+            canvas.fill(&WHITE)?;
+            let style = text::style(FIGURE_TITLE_SIZE, Color::BLACK, HPos::Center, VPos::Top);
+            canvas.draw_text(&self.title, &style, (width as i32 / 2, PAGE_MARGIN as i32))?;
+            for (k, panel) in panels.iter().enumerate() {
+                let (row, column) = (k / columns, k % columns);
+                panel.draw(&canvas, grid.plot(row, column), grid.margins(row, column))?;
+            }
+            if let Some((bar, side)) = &self.color_bar {
+                let (first, last) = (grid.plot(0, 0), grid.plot(rows - 1, columns - 1));
+                let plots = Rect { right: last.right, bottom: last.bottom, ..first };
+                let at = match side {
+                    Side::Right => area.right + BAR_GAP,
+                    Side::Below => area.bottom + BAR_GAP,
+                };
+                bar.draw(&canvas, *side, &plots, at)?;
+            }
+            draw_legend(&canvas, &legend_rows, 0.5 * page.right, legend_top)?;
+            canvas.present()
+        };
+        draw().map_err(|error| FigureError::Drawing(error.to_string()))
     }
+}
+
+/// Draws the rows of a legend, each centred.
+fn draw_legend<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    rows: &[(f64, Vec<&legend::Entry>)],
+    middle: f64,
+    top: f64,
+) -> Drawn<DB> {
+    let style = text::style(legend::SIZE, Color::BLACK, HPos::Left, VPos::Center);
+    for (k, (wide, row)) in rows.iter().enumerate() {
+        let mut x = middle - 0.5 * (wide - legend::SAMPLE);
+        let y = (top + (k as f64 + 0.5) * legend::ROW).round() as i32;
+        for entry in row {
+            canvas.draw(&entry.sample().moved((x as i32, y)))?;
+            let at = x + legend::SAMPLE + legend::GAP;
+            canvas.draw_text(&entry.label, &style, (at as i32, y))?;
+            x += entry.width() + legend::SAMPLE;
+        }
+    }
+    Ok(())
 }
 
 /// The plots of all panels, aligned in rows and columns.
 struct Grid {
-    /// Left side of the plots and margins of each column.
+    /// Where the plots of each column begin, with the margins.
     columns: Vec<(f64, Margins)>,
-    /// Upper side of the plots of each row.
-    rows: Vec<f64>,
+    rows: Vec<(f64, Margins)>,
     width: f64,
     height: f64,
 }
@@ -205,35 +244,39 @@ impl Grid {
             let ends: f64 = down.iter().map(|m| m.top + m.bottom).sum();
             width = (area.width() - sides - PANEL_GAP * (columns - 1) as f64) / columns as f64;
             height = (area.height() - ends - PANEL_GAP * (rows - 1) as f64) / rows as f64;
-            if !(width >= 30.0 && height >= 30.0) {
+            if !(width >= 30.0 * POINT && height >= 30.0 * POINT) {
+                let (width, height) = (width / POINT, height / POINT);
                 return Err(FigureError::TooSmall { width, height });
             }
-            let mut x = area.left;
-            grid.columns = across
-                .into_iter()
-                .map(|m| {
-                    let left = x + m.left;
-                    x = left + width + m.right + PANEL_GAP;
-                    (left, m)
-                })
-                .collect();
-            let mut y = area.top;
-            grid.rows = down
-                .into_iter()
-                .map(|m| {
-                    let top = y + m.top;
-                    y = top + height + m.bottom + PANEL_GAP;
-                    top
-                })
-                .collect();
-            (grid.width, grid.height) = (width, height);
+            // Each begins where the last one and its margins end.
+            let placed =
+                |margins: Vec<Margins>, start: f64, step: f64, ends: fn(&Margins) -> [f64; 2]| {
+                    let mut next = start;
+                    let place = |m: Margins| {
+                        let first = next + ends(&m)[0];
+                        next = first + step + ends(&m)[1] + PANEL_GAP;
+                        (first, m)
+                    };
+                    margins.into_iter().map(place).collect()
+                };
+            grid = Grid {
+                columns: placed(across, area.left, width, |m| [m.left, m.right]),
+                rows: placed(down, area.top, height, |m| [m.top, m.bottom]),
+                width,
+                height,
+            };
         }
         Ok(grid)
     }
 
     fn plot(&self, row: usize, column: usize) -> Rect {
-        let (left, top) = (self.columns[column].0, self.rows[row]);
+        let (left, top) = (self.columns[column].0, self.rows[row].0);
         Rect { left, top, right: left + self.width, bottom: top + self.height }
+    }
+
+    fn margins(&self, row: usize, column: usize) -> Margins {
+        let (beside, around) = (self.columns[column].1, self.rows[row].1);
+        Margins { top: around.top, bottom: around.bottom, ..beside }
     }
 }
 

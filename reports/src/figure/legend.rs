@@ -1,15 +1,12 @@
 //! Legends: the names of layers beside samples of their look.
 
 use super::{
-    area::Region,
     color::Color,
-    curve::Markers,
-    font,
     geometry::Rect,
-    layer::Layer,
-    plot,
-    scene::{Pen, Scene, Text},
-    typography::{FRAME_WIDTH, LEGEND_SIZE},
+    layer::{Layer, Markers, Region},
+    paint,
+    picture::{Pen, Picture},
+    text::{self, POINT},
 };
 
 /// The corner of a panel in which its legend stands.
@@ -25,25 +22,45 @@ pub enum Corner {
     BottomRight,
 }
 
-const ROW: f64 = 1.4 * LEGEND_SIZE;
-const SAMPLE: f64 = 20.0;
-const GAP: f64 = 4.0;
-const PAD: f64 = 3.5;
-/// From the frame of the panel to the legend.
-const INSET: f64 = 5.0;
+/// Size of the names, in points.
+pub(super) const SIZE: f64 = 7.8;
+/// From line to line.
+pub(super) const ROW: f64 = 1.55 * SIZE * POINT;
+/// Length of a sample.
+pub(super) const SAMPLE: f64 = 20.0 * POINT;
+/// From sample to name.
+pub(super) const GAP: f64 = 4.0 * POINT;
 
 /// One line of a legend.
 #[derive(Debug, Clone)]
 pub(super) struct Entry {
-    label: String,
+    pub(super) label: String,
     line: Option<Pen>,
     markers: Option<Markers>,
     region: Option<Region>,
 }
 
 impl Entry {
-    fn width(&self) -> f64 {
-        SAMPLE + GAP + font::width(&self.label, LEGEND_SIZE)
+    pub(super) fn width(&self) -> f64 {
+        SAMPLE + GAP + text::width(&self.label, SIZE * POINT)
+    }
+
+    /// The look of the layers, in the middle of whose left side the picture has its place.
+    pub(super) fn sample(&self) -> Picture {
+        let mut picture = Picture::default();
+        if let Some(region) = &self.region {
+            let half = 0.4 * SIZE * POINT;
+            let patch = Rect { left: 0.0, top: -half, right: SAMPLE, bottom: half };
+            paint::patch(&mut picture, patch.corners(), region);
+            picture.outline(&patch.corners(), Pen::solid(Color::GREY, 0.4));
+        }
+        if let Some(pen) = self.line {
+            picture.stroke(&[[0.0, 0.0], [SAMPLE, 0.0]], pen);
+        }
+        if let Some(markers) = &self.markers {
+            paint::marker(&mut picture, [0.5 * SAMPLE, 0.0], markers);
+        }
+        picture
     }
 }
 
@@ -51,13 +68,13 @@ impl Entry {
 pub(super) fn entries<'a>(layers: impl IntoIterator<Item = &'a Layer>) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for layer in layers {
+        let pen = |color, width, dash| Some(Pen { color, width, dash });
         let (label, line, markers, region) = match layer {
-            Layer::Line(l) => (&l.label, Some((l.color, l.width, l.dash)), None, None),
-            Layer::Rule(l) => (&l.label, Some((l.color, l.width, l.dash)), None, None),
-            Layer::Isolines(l) => (&l.label, Some((l.color, l.width, l.dash)), None, None),
+            Layer::Line(l) => (&l.label, pen(l.color, l.width, l.dash), None, None),
+            Layer::Rule(l) => (&l.label, pen(l.color, l.width, l.dash), None, None),
             Layer::Markers(m) => (&m.label, None, Some(m), None),
             Layer::Region(r) => (&r.label, None, None, Some(r)),
-            Layer::ErrorBars(_) | Layer::FilledContours(_) | Layer::Note(_) => continue,
+            _ => continue,
         };
         if label.is_empty() {
             continue;
@@ -68,44 +85,15 @@ pub(super) fn entries<'a>(layers: impl IntoIterator<Item = &'a Layer>) -> Vec<En
             entries.len() - 1
         });
         let entry = &mut entries[known];
-        if let Some((color, width, dash)) = line {
-            entry.line.get_or_insert(Pen { color, width, dash: dash.lengths(width) });
-        }
-        if let Some(markers) = markers {
-            entry.markers.get_or_insert(Markers { points: Vec::new(), ..markers.clone() });
-        }
-        if let Some(region) = region {
-            entry.region.get_or_insert(Region { outline: Vec::new(), ..region.clone() });
-        }
+        entry.line = entry.line.or(line);
+        entry.markers = entry.markers.take().or(markers.cloned());
+        entry.region = entry.region.take().or(region.cloned());
     }
     entries
 }
 
-/// Draws a legend with a white backing in a corner of the rectangle.
-pub(super) fn draw_in_corner(scene: &mut Scene, rect: &Rect, corner: Corner, entries: &[Entry]) {
-    if entries.is_empty() {
-        return;
-    }
-    let width = entries.iter().map(Entry::width).fold(0.0, f64::max) + 2.0 * PAD;
-    let height = entries.len() as f64 * ROW + 1.2 * PAD;
-    let left = match corner {
-        Corner::TopLeft | Corner::BottomLeft => rect.left + INSET,
-        Corner::TopRight | Corner::BottomRight => rect.right - INSET - width,
-    };
-    let top = match corner {
-        Corner::TopLeft | Corner::TopRight => rect.top + INSET,
-        Corner::BottomLeft | Corner::BottomRight => rect.bottom - INSET - height,
-    };
-    let back = Rect { left, top, right: left + width, bottom: top + height };
-    scene.fill(vec![back.corners()], Color::WHITE, 0.93);
-    scene.outline(back.corners(), Pen::solid(Color::rgb(190, 190, 190), 0.6 * FRAME_WIDTH));
-    for (k, entry) in entries.iter().enumerate() {
-        draw_entry(scene, entry, left + PAD, top + 0.6 * PAD + (k as f64 + 0.5) * ROW);
-    }
-}
-
-/// The entries as rows no wider than `width`.
-fn rows(entries: &[Entry], width: f64) -> Vec<Vec<&Entry>> {
+/// The entries as rows no wider than `width`, and what each needs with the room before the next.
+pub(super) fn rows(entries: &[Entry], width: f64) -> Vec<(f64, Vec<&Entry>)> {
     let mut rows: Vec<(f64, Vec<&Entry>)> = Vec::new();
     for entry in entries {
         let needed = entry.width() + SAMPLE;
@@ -117,41 +105,7 @@ fn rows(entries: &[Entry], width: f64) -> Vec<Vec<&Entry>> {
             _ => rows.push((needed, vec![entry])),
         }
     }
-    rows.into_iter().map(|(_, row)| row).collect()
-}
-
-/// The height of a legend in rows of the given width.
-pub(super) fn height_in_rows(entries: &[Entry], width: f64) -> f64 {
-    rows(entries, width).len() as f64 * ROW
-}
-
-/// Draws a legend in centred rows.
-pub(super) fn draw_in_rows(scene: &mut Scene, rect: &Rect, entries: &[Entry]) {
-    for (k, row) in rows(entries, rect.width()).into_iter().enumerate() {
-        let total: f64 = row.iter().map(|e| e.width() + SAMPLE).sum::<f64>() - SAMPLE;
-        let mut x = rect.left + 0.5 * (rect.width() - total);
-        for entry in row {
-            draw_entry(scene, entry, x, rect.top + (k as f64 + 0.5) * ROW);
-            x += entry.width() + SAMPLE;
-        }
-    }
-}
-
-fn draw_entry(scene: &mut Scene, entry: &Entry, x: f64, y: f64) {
-    if let Some(region) = &entry.region {
-        let half = 0.4 * LEGEND_SIZE;
-        let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
-        plot::draw_patch(scene, patch.corners(), region);
-        scene.outline(patch.corners(), Pen::solid(Color::GREY, 0.6 * FRAME_WIDTH));
-    }
-    if let Some(pen) = &entry.line {
-        scene.stroke(vec![vec![[x, y], [x + SAMPLE, y]]], pen.clone());
-    }
-    if let Some(markers) = &entry.markers {
-        plot::draw_marker(scene, [x + 0.5 * SAMPLE, y], markers);
-    }
-    let baseline = y + 0.5 * font::CAP_HEIGHT * LEGEND_SIZE;
-    scene.text(Text::new(entry.label.clone(), [x + SAMPLE + GAP, baseline], LEGEND_SIZE));
+    rows
 }
 
 #[cfg(test)]
@@ -172,6 +126,6 @@ mod tests {
         assert!(entries[0].line.is_some() && entries[0].markers.is_some());
         // Each row holds at least one entry, however narrow the page.
         assert_eq!(rows(&entries, 1.0).len(), 2);
-        assert_eq!(rows(&entries, 1000.0).len(), 1);
+        assert_eq!(rows(&entries, 1e6).len(), 1);
     }
 }

@@ -1,13 +1,12 @@
 //! Where along an isoline its value is written.
 
 use super::{
-    font,
     geometry::{Point, Rect, between, clip_polyline, distance, distance_to_segment},
     layer::Layer,
-    panel::Frame,
+    paint::Frame,
 };
 
-/// What labels must keep clear of: the border, other labels, and as far as possible the curves and markers of the panel.
+/// What labels must keep clear of: the border, other labels, and the curves and markers of the panel.
 #[derive(Debug)]
 pub(super) struct Obstacles {
     rect: Rect,
@@ -19,9 +18,8 @@ pub(super) struct Obstacles {
 /// A place for a label, and the line without the stretch it covers.
 #[derive(Debug)]
 pub(super) struct Place {
-    /// Middle of the baseline.
-    pub(super) baseline: Point,
-    /// Counterclockwise, in degrees, within ±90.
+    pub(super) middle: Point,
+    /// Counterclockwise, in radians, within a right angle.
     pub(super) angle: f64,
     pub(super) rest: Vec<Vec<Point>>,
 }
@@ -30,27 +28,35 @@ impl Obstacles {
     /// The curves and markers among the layers.
     pub(super) fn new(frame: &Frame, layers: &[Layer]) -> Obstacles {
         let mut curves = Vec::new();
+        let mut add = |points: &[Point]| {
+            for piece in clip_polyline(points, &frame.rect) {
+                curves.extend(piece.windows(2).map(|w| [w[0], w[1]]));
+            }
+        };
         for layer in layers {
             match layer {
                 Layer::Line(line) => {
-                    let points: Vec<Point> = line.points.iter().map(|&p| frame.at(p)).collect();
-                    for piece in clip_polyline(&points, &frame.rect) {
-                        curves.extend(piece.windows(2).map(|w| [w[0], w[1]]));
-                    }
+                    add(&line.points.iter().map(|&p| frame.at(p)).collect::<Vec<_>>());
+                }
+                Layer::Isolines(lines) if !lines.labelled => {
+                    lines
+                        .levels
+                        .iter()
+                        .flat_map(|&l| frame.isolines(&lines.field, l))
+                        .for_each(|l| add(&l));
                 }
                 Layer::Markers(markers) => {
-                    curves.extend(markers.points.iter().map(|&p| [frame.at(p); 2]));
+                    markers.points.iter().for_each(|&p| add(&[frame.at(p); 2]));
                 }
-                Layer::Note(note) => curves.push([frame.at(note.at); 2]),
+                Layer::Note(note) => add(&[frame.at(note.at); 2]),
                 _ => {}
             }
         }
-        curves.retain(|c| c.iter().flatten().all(|v| v.is_finite()));
         Obstacles { rect: frame.rect, labels: Vec::new(), curves }
     }
 
     /// The straightest, most central stretch of the line that is as long as the text and clear of border, labels and
-    /// curves; `None` if the line is too short or nowhere clear of border and labels. The place is then taken.
+    /// curves; `None` if the line is too short or nowhere clear. The place is then taken.
     pub(super) fn place(&mut self, line: &[Point], width: f64, size: f64) -> Option<Place> {
         const TRIALS: usize = 41;
         let mut lengths = vec![0.0];
@@ -63,31 +69,25 @@ impl Obstacles {
             return None;
         }
         let inner = self.rect.grown(-0.75 * size);
-        let mut best: Option<(f64, f64)> = None;
-        for k in 0..TRIALS {
+        let cost = |k: usize| {
             let t = (k as f64 + 0.5) / TRIALS as f64;
             let start = t * (total - gap);
             let (a, b) = (at(line, &lengths, start), at(line, &lengths, start + gap));
             let centre = between(a, b, 0.5);
-            let clear = inner.contains(a)
-                && inner.contains(b)
-                && self.labels.iter().all(|l| distance(l.0, centre) > 1.15 * (l.1 + 0.5 * gap));
+            let apart = |l: &(Point, f64)| distance(l.0, centre) > 1.15 * (l.1 + 0.5 * gap);
             let bend = (0..=8)
                 .map(|m| at(line, &lengths, start + gap * f64::from(m) / 8.0))
                 .map(|p| distance_to_segment(p, a, b))
                 .fold(0.0, f64::max);
-            if !clear || distance(a, b) < 0.85 * gap || bend > 0.3 * size {
-                continue;
-            }
-            // A curve through the text costs more than any bend or distance from the middle.
-            let near = self.nearest_curve(a, b, centre);
-            let hidden = 3.0 * (1.0 - near / size).max(0.0);
-            let cost = bend / size + 0.25 * (t - 0.5).abs() + hidden;
-            if best.is_none_or(|(c, _)| cost < c) {
-                best = Some((cost, start));
-            }
-        }
-        let (_, start) = best?;
+            let clear = inner.contains(a)
+                && inner.contains(b)
+                && self.labels.iter().all(apart)
+                && distance(a, b) >= 0.85 * gap
+                && bend <= 0.3 * size
+                && self.nearest_curve(a, b) > size;
+            clear.then_some((bend / size + 0.25 * (t - 0.5).abs(), start))
+        };
+        let (_, start) = (0..TRIALS).filter_map(cost).min_by(|a, b| a.0.total_cmp(&b.0))?;
         let (mut a, mut b) = (at(line, &lengths, start), at(line, &lengths, start + gap));
         let rest = vec![cut(line, &lengths, 0.0, start), cut(line, &lengths, start + gap, total)];
         if a[0] > b[0] || (a[0] == b[0] && a[1] < b[1]) {
@@ -99,14 +99,12 @@ impl Obstacles {
         // A figure or two read better level, and a minus sign is not taken for the line.
         let level = width < 1.6 * size;
         let angle = if level { 0.0 } else { (a[1] - b[1]).atan2(b[0] - a[0]) };
-        let drop = 0.5 * font::CAP_HEIGHT * size;
-        let baseline = [middle[0] + drop * angle.sin(), middle[1] + drop * angle.cos()];
-        Some(Place { baseline, angle: angle.to_degrees(), rest })
+        Some(Place { middle, angle, rest })
     }
 
-    /// The distance from the text between `a` and `b` to the nearest curve, seen from its ends and its middle.
-    fn nearest_curve(&self, a: Point, b: Point, centre: Point) -> f64 {
-        let parts = [a, between(a, centre, 0.5), centre, between(centre, b, 0.5), b];
+    /// The distance from the text between `a` and `b` to the nearest curve.
+    fn nearest_curve(&self, a: Point, b: Point) -> f64 {
+        let parts = [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| between(a, b, t));
         let to_text = |c: &[Point; 2]| {
             parts.iter().map(|&p| distance_to_segment(p, c[0], c[1])).fold(f64::INFINITY, f64::min)
         };
@@ -142,42 +140,26 @@ mod tests {
     }
 
     #[test]
-    fn label_interrupts_the_line_by_its_own_length() {
-        let line: Vec<Point> = (0..=100).map(|i| [2.0 * f64::from(i), 50.0]).collect();
-        let place = empty().place(&line, 20.0, 7.0).unwrap();
-        let drawn: f64 =
-            place.rest.iter().flat_map(|r| r.windows(2)).map(|w| distance(w[0], w[1])).sum();
-        assert!((200.0 - drawn - (20.0 + MARGIN * 7.0)).abs() < 1e-9);
-        assert!(place.angle.abs() < 1e-9 && (place.baseline[0] - 100.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn labels_read_upright_and_keep_apart() {
+    fn labels_read_upright_and_interrupt_the_line_by_their_length() {
         // Drawn right to left and downwards to the left on the page.
         let line = [[150.0, 10.0], [50.0, 90.0]];
         let mut obstacles = empty();
         let first = obstacles.place(&line, 20.0, 7.0).unwrap();
-        assert!((first.angle - 0.8f64.atan().to_degrees()).abs() < 1e-9);
+        assert!((first.angle - 0.8f64.atan()).abs() < 1e-9);
+        let length = |r: &Vec<Point>| r.windows(2).map(|w| distance(w[0], w[1])).sum::<f64>();
+        let drawn: f64 = first.rest.iter().map(length).sum();
+        assert!((distance(line[0], line[1]) - drawn - (20.0 + MARGIN * 7.0)).abs() < 1e-9);
         let second = obstacles.place(&line, 20.0, 7.0).unwrap();
-        assert!(distance(first.baseline, second.baseline) > 27.0);
-    }
-
-    #[test]
-    fn single_figures_stand_level() {
-        let line = [[150.0, 10.0], [50.0, 90.0]];
+        assert!(distance(first.middle, second.middle) > 27.0);
         assert_eq!(empty().place(&line, 5.0, 7.0).unwrap().angle, 0.0);
     }
 
     #[test]
-    fn labels_avoid_curves() {
+    fn labels_keep_off_curves_and_short_lines() {
         let mut obstacles = empty();
         obstacles.curves.push([[100.0, 0.0], [100.0, 100.0]]);
         let place = obstacles.place(&[[0.0, 50.0], [200.0, 50.0]], 20.0, 7.0).unwrap();
-        assert!((place.baseline[0] - 100.0).abs() > 10.0, "{place:?}");
-    }
-
-    #[test]
-    fn short_lines_have_no_label() {
+        assert!((place.middle[0] - 100.0).abs() > 10.0, "{place:?}");
         assert!(empty().place(&[[20.0, 50.0]], 20.0, 7.0).is_none());
         assert!(empty().place(&[[20.0, 50.0], [60.0, 50.0]], 20.0, 7.0).is_none());
     }

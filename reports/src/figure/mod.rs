@@ -4,8 +4,9 @@
 //! [`ErrorBars`], [`Rule`], [`Region`], [`FilledContours`], [`Isolines`], [`Note`]. Sizes are in points (1/72 inch) on the
 //! printed page.
 //!
-//! Everything is first laid out as one list of shapes, then written in either format, so that both agree. The result
-//! depends on nothing but the data: equal figures give equal bytes.
+//! Axes, ticks, meshes and legends are those of [plotters], drawn on a canvas in units of a twentieth of a point: as SVG by
+//! its own backend, as PNG by one over tiny-skia. The result depends on nothing but the data: equal figures give equal
+//! bytes.
 //!
 //! ```
 //! use courant_reports::figure::{Axis, Corner, Figure, Line, Marker, Markers, Panel};
@@ -22,40 +23,35 @@
 //! # Ok::<(), courant_reports::figure::FigureError>(())
 //! ```
 
-mod area;
 mod axis;
-mod bitmap;
 mod color;
 mod color_bar;
 mod colormap;
 mod contour;
-mod curve;
 mod error;
-mod font;
 mod geometry;
 mod layer;
 mod layout;
 mod legend;
 mod line_label;
+mod number;
+mod paint;
 mod panel;
-mod plot;
-mod scene;
-mod stroke;
-mod svg;
-mod ticks;
-mod typography;
+mod picture;
+mod raster;
+mod text;
+mod vector;
 
-pub use area::{FilledContours, Isolines, Region};
 pub use axis::Axis;
 pub use color::Color;
 pub use color_bar::{ColorBar, Side};
 pub use colormap::{Bands, ColorMap};
-pub use contour::{Field, Isoline};
-pub use curve::{Dash, ErrorBars, Line, Marker, Markers, Rule};
+pub use contour::Field;
 pub use error::FigureError;
-pub use layer::{Layer, Note};
+pub use layer::{
+    Anchor, Dash, ErrorBars, FilledContours, Isolines, Layer, Line, Marker, Markers, Note, Region,
+    Rule,
+};
 pub use layout::Figure;
 pub use legend::Corner;
 pub use panel::Panel;
-pub use scene::Anchor;
-pub use ticks::{Tick, format_number, linear_ticks, log_ticks};

@@ -1,19 +1,42 @@
 //! One panel: two axes and what is drawn between them.
 
 use super::{
-    axis::{Axis, ResolvedAxis},
+    axis::{Axis, AxisRange},
     color::Color,
-    color_bar::ColorBar,
+    color_bar::{ColorBar, Side, widest},
     error::FigureError,
-    font,
     geometry::{Point, Rect},
     layer::Layer,
     legend::{self, Corner},
-    plot,
-    scene::{Anchor, Pen, Scene, Text},
-    ticks::Tick,
-    typography::*,
+    paint::{self, Frame},
+    picture::{Pen, Picture},
+    text::{self, POINT},
 };
+use plotters::{
+    chart::{ChartBuilder, SeriesLabelPosition},
+    coord::Shift,
+    drawing::{DrawingArea, DrawingAreaErrorKind},
+    element::PathElement,
+    style::text_anchor::{HPos, VPos},
+};
+use plotters_backend::DrawingBackend;
+
+/// What is drawn on, in units of a twentieth of a point.
+pub(super) type Canvas<DB> = DrawingArea<DB, Shift>;
+/// Whether the backend could draw.
+pub(super) type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
+
+// Sizes of text and widths of lines in points, lengths in units.
+pub(super) const TICK_SIZE: f64 = 8.0;
+pub(super) const LABEL_SIZE: f64 = 9.0;
+pub(super) const TITLE_SIZE: f64 = 9.0;
+pub(super) const FRAME_WIDTH: f64 = 0.7;
+/// Length of a tick; the number stands as far from its end.
+pub(super) const TICK: f64 = 2.7 * POINT;
+/// From numbers to label.
+pub(super) const LABEL_GAP: f64 = 3.5 * POINT;
+/// From plot to colour bar.
+pub(super) const BAR_GAP: f64 = 9.0 * POINT;
 
 /// One plot of a figure.
 ///
@@ -26,7 +49,6 @@ pub struct Panel {
     layers: Vec<Layer>,
     legend: Option<Corner>,
     color_bar: Option<ColorBar>,
-    grid: bool,
     equal_units: bool,
 }
 
@@ -40,7 +62,6 @@ impl Panel {
             layers: Vec::new(),
             legend: None,
             color_bar: None,
-            grid: true,
             equal_units: false,
         }
     }
@@ -75,12 +96,6 @@ impl Panel {
         self
     }
 
-    /// Leaves out the grid.
-    pub fn without_grid(mut self) -> Panel {
-        self.grid = false;
-        self
-    }
-
     /// Makes a unit as long upwards as to the right, so that circles are round: one of two linear axes shows more than its range.
     pub fn equal_units(mut self) -> Panel {
         self.equal_units = true;
@@ -91,16 +106,13 @@ impl Panel {
         &self.layers
     }
 
-    /// The ranges of the axes.
+    /// The panel with definite ranges of its axes.
     pub(super) fn resolve(&self) -> Result<Resolved<'_>, FigureError> {
-        let has_field =
-            self.layers.iter().any(|l| matches!(l, Layer::FilledContours(_) | Layer::Isolines(_)));
-        let pad = if has_field { 0.0 } else { 0.04 };
         // What lies over a map does not widen it.
-        let is_shown =
-            |l: &&Layer| !has_field || matches!(l, Layer::FilledContours(_) | Layer::Isolines(_));
-        let points: Vec<Point> =
-            self.layers.iter().filter(is_shown).flat_map(Layer::extent).collect();
+        let is_map = self.layers.iter().any(Layer::is_map);
+        let pad = if is_map { 0.0 } else { 0.04 };
+        let shown = self.layers.iter().filter(|layer| layer.is_map() || !is_map);
+        let points: Vec<Point> = shown.flat_map(Layer::extent).collect();
         Ok(Resolved {
             panel: self,
             x: self.x.resolve(points.iter().map(|p| p[0]), pad)?,
@@ -109,7 +121,7 @@ impl Panel {
     }
 }
 
-/// Room around the plot of a panel, in points.
+/// Room around the plot of a panel, in units.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Margins {
     pub(super) left: f64,
@@ -131,194 +143,170 @@ impl Margins {
 
 /// A panel with definite ranges.
 pub(super) struct Resolved<'a> {
-    pub(super) panel: &'a Panel,
-    x: ResolvedAxis,
-    y: ResolvedAxis,
-}
-
-/// Where data lie on the page.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
-    pub(super) rect: Rect,
-    pub(super) x: ResolvedAxis,
-    pub(super) y: ResolvedAxis,
-}
-
-impl Frame {
-    pub(super) fn x_at(&self, x: f64) -> f64 {
-        self.rect.left + self.x.fraction(x) * self.rect.width()
-    }
-
-    pub(super) fn y_at(&self, y: f64) -> f64 {
-        self.rect.bottom - self.y.fraction(y) * self.rect.height()
-    }
-
-    pub(super) fn at(&self, p: Point) -> Point {
-        [self.x_at(p[0]), self.y_at(p[1])]
-    }
+    panel: &'a Panel,
+    x: AxisRange,
+    y: AxisRange,
 }
 
 impl Resolved<'_> {
-    fn x_ticks(&self, width: f64) -> Vec<Tick> {
-        // As many labels as fit beside each other with some room between them.
-        let mut most = 8;
-        loop {
-            let ticks = self.panel.x.ticks_for(&self.x, most);
-            let ends: Vec<(f64, f64)> = ticks
-                .iter()
-                .filter(|t| !t.label.is_empty())
-                .map(|t| {
-                    let (at, half) =
-                        (self.x.fraction(t.value) * width, 0.5 * font::width(&t.label, TICK_SIZE));
-                    (at - half, at + half)
-                })
-                .collect();
-            if most <= 2 || ends.windows(2).all(|w| w[1].0 - w[0].1 >= 0.8 * TICK_SIZE) {
-                return ticks;
-            }
-            most -= 1;
-        }
+    /// The x axis with as many labels as fit beside each other with some room between them.
+    fn x_axis(&self, width: f64) -> AxisRange {
+        let fits = |axis: &AxisRange| {
+            let half = |label: &str| 0.5 * text::width(label, TICK_SIZE * POINT);
+            axis.ticks.windows(2).all(|w| {
+                let apart = (axis.fraction(w[1].0) - axis.fraction(w[0].0)) * width;
+                apart >= half(&w[0].1) + half(&w[1].1) + 0.8 * TICK_SIZE * POINT
+            })
+        };
+        let axis = |most: usize| self.x.clone().with_ticks(most);
+        (3..=8).rev().map(axis).find(fits).unwrap_or_else(|| axis(2))
     }
 
-    fn y_ticks(&self, height: f64) -> Vec<Tick> {
-        let most = (height / (2.4 * TICK_SIZE)).floor().clamp(2.0, 8.0) as usize;
-        self.panel.y.ticks_for(&self.y, most)
+    fn y_axis(&self, height: f64) -> AxisRange {
+        let most = (height / (2.4 * TICK_SIZE * POINT)).floor().clamp(2.0, 8.0) as usize;
+        self.y.clone().with_ticks(most)
     }
 
     /// The room that titles and labels need around a plot of the given size.
     pub(super) fn margins(&self, width: f64, height: f64) -> Margins {
         let panel = self.panel;
-        let y_ticks = self.y_ticks(height);
-        let widest = y_ticks.iter().map(|t| font::width(&t.label, TICK_SIZE)).fold(0.0, f64::max);
         let label = |axis: &Axis| match axis.label.is_empty() {
             true => 0.0,
-            false => LABEL_GAP + LABEL_SIZE,
+            false => LABEL_GAP + LABEL_SIZE * POINT,
         };
-        let x_ticks = self.x_ticks(width);
-        // The labels of the outermost ticks stick out by up to half.
-        let overhang = |from_border: &dyn Fn(f64) -> f64| {
-            x_ticks
-                .iter()
-                .map(|t| {
-                    let inside = from_border(self.x.fraction(t.value)) * width;
-                    0.5 * font::width(&t.label, TICK_SIZE) - inside
-                })
-                .fold(0.0, f64::max)
+        let (x, y) = (self.x_axis(width), self.y_axis(height));
+        let names: Vec<&str> = y.ticks.iter().map(|tick| tick.1.as_str()).collect();
+        // The numbers at the outermost ticks stick out by up to half.
+        let overhang = |from_border: fn(f64) -> f64| {
+            let out = |(value, label): &(f64, String)| {
+                let inside = from_border(x.fraction(*value)) * width;
+                0.5 * text::width(label, TICK_SIZE * POINT) - inside
+            };
+            x.ticks.iter().map(out).fold(0.0, f64::max)
         };
-        let numbers = if panel.x.show_tick_labels { TICK_GAP + TICK_SIZE } else { 0.0 };
+        let bar = panel.color_bar.as_ref();
+        let bar = bar.map_or(0.0, |bar| BAR_GAP + bar.breadth(Side::Right, height));
         Margins {
-            left: (TICK_LENGTH + TICK_GAP + widest + label(&panel.y)).max(overhang(&|f| f)),
-            right: overhang(&|f| 1.0 - f)
-                .max(4.0)
-                .max(panel.color_bar.as_ref().map_or(0.0, |b| BAR_GAP + b.breadth_right())),
-            top: if panel.title.is_empty() { 0.5 * TICK_SIZE } else { 1.6 * TITLE_SIZE },
-            bottom: TICK_LENGTH + numbers + label(&panel.x) + font::DESCENT * LABEL_SIZE,
+            left: (2.0 * TICK + widest(&names) + label(&panel.y)).max(overhang(|f| f)),
+            right: overhang(|f| 1.0 - f).max(4.0 * POINT).max(bar),
+            top: POINT * if panel.title.is_empty() { 0.5 * TICK_SIZE } else { 1.6 * TITLE_SIZE },
+            bottom: 2.0 * TICK
+                + TICK_SIZE * POINT
+                + label(&panel.x)
+                + text::DESCENT * LABEL_SIZE * POINT,
         }
     }
 
     /// With axes in the units that a plot of this size asks for.
-    fn fitted(&self, rect: &Rect) -> Self {
-        let (mut x, mut y) = (self.x, self.y);
+    fn fitted(&self, plot: &Rect) -> Self {
+        let (mut x, mut y) = (self.x.clone(), self.y.clone());
         if self.panel.equal_units {
-            let wanted = y.length() * rect.width() / rect.height();
+            let wanted = y.length() * plot.width() / plot.height();
             match wanted > x.length() {
-                true => x = x.lengthened(wanted / x.length()),
+                true => x = x.lengthened(wanted / self.x.length()),
                 false => y = y.lengthened(x.length() / wanted),
             }
         }
         Resolved { panel: self.panel, x, y }
     }
 
-    /// Draws the panel with its plot in the rectangle; the title and labels stand around it.
-    pub(super) fn draw(&self, scene: &mut Scene, rect: Rect, left: f64) {
-        self.fitted(&rect).draw_fitted(scene, rect, left);
-    }
-
-    fn draw_fitted(&self, scene: &mut Scene, rect: Rect, left: f64) {
-        let panel = self.panel;
-        let frame = Frame { rect, x: self.x, y: self.y };
-        let (x_ticks, y_ticks) = (self.x_ticks(rect.width()), self.y_ticks(rect.height()));
-        scene.clip = Some(rect);
-        if panel.grid {
-            self.draw_grid(scene, &frame, &x_ticks, &y_ticks);
-        }
-        plot::draw_layers(scene, &frame, &panel.layers);
-        scene.clip = None;
-        let axis = Pen::solid(Color::BLACK, FRAME_WIDTH);
-        scene.outline(rect.corners(), axis.clone());
-        let marks = |major: bool| -> Vec<Vec<Point>> {
-            let length = if major { TICK_LENGTH } else { MINOR_TICK_LENGTH };
-            let wanted = |t: &&Tick| t.label.is_empty() != major;
-            let below = x_ticks.iter().filter(wanted).map(|t| {
-                let x = frame.x_at(t.value);
-                vec![[x, rect.bottom], [x, rect.bottom + length]]
-            });
-            let beside = y_ticks.iter().filter(wanted).map(|t| {
-                let y = frame.y_at(t.value);
-                vec![[rect.left, y], [rect.left - length, y]]
-            });
-            below.chain(beside).collect()
-        };
-        scene.stroke(marks(true), axis.clone());
-        scene.stroke(marks(false), Pen::solid(Color::BLACK, 0.7 * FRAME_WIDTH));
-        self.draw_labels(scene, &frame, &x_ticks, &y_ticks, left);
-        if let Some(corner) = panel.legend {
-            legend::draw_in_corner(scene, &rect, corner, &legend::entries(&panel.layers));
-        }
-        if let Some(bar) = &panel.color_bar {
-            bar.draw_right(scene, rect.right + BAR_GAP, rect.top, rect.bottom);
-        }
-    }
-
-    fn draw_grid(&self, scene: &mut Scene, frame: &Frame, x_ticks: &[Tick], y_ticks: &[Tick]) {
-        let r = frame.rect;
-        let vertical = x_ticks.iter().filter(|t| !t.label.is_empty()).map(|t| {
-            let x = frame.x_at(t.value);
-            vec![[x, r.top], [x, r.bottom]]
-        });
-        let level = y_ticks.iter().filter(|t| !t.label.is_empty()).map(|t| {
-            let y = frame.y_at(t.value);
-            vec![[r.left, y], [r.right, y]]
-        });
-        scene.stroke(vertical.chain(level).collect(), Pen::solid(GRID_COLOR, GRID_WIDTH));
-    }
-
-    fn draw_labels(
+    /// Draws the panel with its plot in the rectangle; titles and labels stand around it.
+    pub(super) fn draw<DB: DrawingBackend>(
         &self,
-        scene: &mut Scene,
-        frame: &Frame,
-        x_ticks: &[Tick],
-        y_ticks: &[Tick],
-        left: f64,
-    ) {
-        let (panel, rect) = (self.panel, frame.rect);
-        let text = |text: &str, at: Point, size: f64, anchor: Anchor| Text {
-            anchor,
-            ..Text::new(text.trim(), at, size)
+        canvas: &Canvas<DB>,
+        plot: Rect,
+        margins: Margins,
+    ) -> Drawn<DB> {
+        let fitted = self.fitted(&plot);
+        let units = |v: f64| v.round() as i32;
+        let size = (
+            units(margins.left + plot.width() + margins.right),
+            units(margins.top + plot.height() + margins.bottom),
+        );
+        let corner = (units(plot.left - margins.left), units(plot.top - margins.top));
+        let cell = canvas.clone().shrink(corner, size);
+        let mut chart = ChartBuilder::on(&cell)
+            .margin_top(units(margins.top))
+            .margin_right(units(margins.right))
+            .x_label_area_size(units(margins.bottom))
+            .y_label_area_size(units(margins.left))
+            .build_cartesian_2d(fitted.x_axis(plot.width()), fitted.y_axis(plot.height()))?;
+        let text = |size| text::style(size, Color::BLACK, HPos::Center, VPos::Bottom);
+        chart
+            .configure_mesh()
+            .axis_style(Pen::solid(Color::BLACK, FRAME_WIDTH).style())
+            .bold_line_style(Pen::solid(Color::rgb(222, 222, 222), 0.4).style())
+            .light_line_style(Pen::solid(Color::rgb(240, 240, 240), 0.3).style())
+            .label_style(text(TICK_SIZE))
+            .axis_desc_style(text(LABEL_SIZE))
+            .x_desc(self.panel.x.label.as_str())
+            .y_desc(self.panel.y.label.as_str())
+            .set_all_tick_mark_size(units(TICK))
+            .draw()?;
+        let (across, down) = chart.plotting_area().get_pixel_range();
+        let [left, right, top, bottom] =
+            [across.start, across.end - 1, down.start, down.end - 1].map(f64::from);
+        let rect = Rect { left, top, right, bottom };
+        let coordinates = chart.as_coord_spec();
+        let (x, y) = (coordinates.x_spec().clone(), coordinates.y_spec().clone());
+        let frame = Frame { rect, x, y };
+        canvas.draw(&paint::layers(&frame, &self.panel.layers))?;
+        let mut border = Picture::default();
+        border.outline(&rect.corners(), Pen::solid(Color::BLACK, FRAME_WIDTH));
+        // Plotters marks only what has a number.
+        let mut mark =
+            |from: Point, to: Point| border.stroke(&[from, to], Pen::solid(Color::BLACK, 0.5));
+        for x in frame.x.minor.iter().map(|&v| frame.x_at(v)) {
+            mark([x, bottom], [x, bottom + 0.6 * TICK]);
+        }
+        for y in frame.y.minor.iter().map(|&v| frame.y_at(v)) {
+            mark([left, y], [left - 0.6 * TICK, y]);
+        }
+        canvas.draw(&border)?;
+        let above = (units(0.5 * (left + right)), units(top - 0.3 * TITLE_SIZE * POINT));
+        canvas.draw_text(&self.panel.title, &text(TITLE_SIZE), above)?;
+        if let Some(bar) = &self.panel.color_bar {
+            bar.draw(canvas, Side::Right, &rect, right + BAR_GAP)?;
+        }
+        let entries = legend::entries(&self.panel.layers);
+        let Some(corner) = self.panel.legend.filter(|_| !entries.is_empty()) else {
+            return Ok(());
         };
-        let baseline = rect.bottom + TICK_LENGTH + TICK_GAP + font::CAP_HEIGHT * TICK_SIZE;
-        for t in x_ticks {
-            let at = [frame.x_at(t.value), baseline];
-            scene.text(text(&t.label, at, TICK_SIZE, Anchor::Middle));
+        // Plotters measures text without its font: place and backing are set from ours.
+        const PAD: f64 = 3.5 * POINT;
+        const INSET: f64 = 5.0 * POINT;
+        let em = legend::SIZE * POINT;
+        let wide = entries.iter().map(legend::Entry::width).fold(0.0, f64::max) + 2.0 * PAD;
+        let high = (entries.len() - 1) as f64 * legend::ROW + em + 1.6 * PAD;
+        let x = match corner {
+            Corner::TopLeft | Corner::BottomLeft => INSET,
+            Corner::TopRight | Corner::BottomRight => rect.width() - INSET - wide,
+        };
+        let y = match corner {
+            Corner::TopLeft | Corner::TopRight => INSET,
+            Corner::BottomLeft | Corner::BottomRight => rect.height() - INSET - high,
+        };
+        let (l, t) = (rect.left + x, rect.top + y);
+        let back = Rect { left: l, top: t, right: l + wide, bottom: t + high }.corners();
+        let mut backing = Picture::default();
+        backing.fill(std::slice::from_ref(&back), Color::WHITE, 0.93);
+        backing.outline(&back, Pen::solid(Color::rgb(190, 190, 190), 0.4));
+        canvas.draw(&backing)?;
+        for entry in entries {
+            let sample = entry.sample();
+            // From the middle of the line to that of its capitals.
+            let raised = units(0.1 * em);
+            chart
+                .draw_series(std::iter::empty::<PathElement<(f64, f64)>>())?
+                .label(entry.label)
+                .legend(move |(x, y)| sample.moved((x, y - raised)));
         }
-        for t in y_ticks {
-            let at = [
-                rect.left - TICK_LENGTH - TICK_GAP,
-                frame.y_at(t.value) + 0.5 * font::CAP_HEIGHT * TICK_SIZE,
-            ];
-            scene.text(text(&t.label, at, TICK_SIZE, Anchor::End));
-        }
-        let middle = [0.5 * (rect.left + rect.right), 0.5 * (rect.top + rect.bottom)];
-        let numbers = if panel.x.show_tick_labels { TICK_GAP + TICK_SIZE } else { 0.0 };
-        let below = rect.bottom + TICK_LENGTH + numbers + LABEL_GAP + font::CAP_HEIGHT * LABEL_SIZE;
-        scene.text(text(&panel.x.label, [middle[0], below], LABEL_SIZE, Anchor::Middle));
-        // All panels of a column align their labels at the left end of the common margin.
-        let beside = rect.left - left + font::CAP_HEIGHT * LABEL_SIZE;
-        scene.text(Text {
-            angle: 90.0,
-            ..text(&panel.y.label, [beside, middle[1]], LABEL_SIZE, Anchor::Middle)
-        });
-        let above = rect.top - 0.5 * TITLE_SIZE;
-        scene.text(text(&panel.title, [middle[0], above], TITLE_SIZE, Anchor::Middle));
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::Coordinate(units(x), units(y)))
+            .legend_area_size(units(legend::SAMPLE + legend::GAP))
+            .margin(units(PAD))
+            .label_font(text::style(legend::SIZE, Color::BLACK, HPos::Left, VPos::Top))
+            .draw()
     }
 }
