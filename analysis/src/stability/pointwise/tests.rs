@@ -83,7 +83,13 @@ fn cross_check(step: &Step, set: &StableSet, courant_number: &Rational) {
         .iter()
         .flat_map(|interval| [&interval.from, &interval.to])
         .any(|end| end.exact().is_none() && (end.value() - float).abs() <= 1e-12 * float);
-    if !open && !close {
+    // A single stable value between unstable ones is left out of a set of intervals.
+    let grows = |side: i64| {
+        let beside = courant_number * (integer(1) + ratio(side, 1 << 40));
+        matches!(decide_at(&margin, &beside), PointVerdict::Unstable(_))
+    };
+    let is_single = || grows(1) && grows(-1);
+    if !open && !close && !(stable && is_single()) {
         assert_eq!(
             set.contains(courant_number),
             stable,
@@ -238,6 +244,17 @@ fn an_exactly_neutral_scheme_is_stable_at_its_limit_and_not_above() {
     assert_eq!(decide_at(&margin, &integer(1)), PointVerdict::Stable);
     let above = integer(1) + parse("1e-60").unwrap();
     assert!(matches!(decide_at(&margin, &above), PointVerdict::Unstable(_)));
+}
+
+#[test]
+fn a_single_stable_value_is_no_interval() {
+    // g = 1 − C³ + C⁴ + (5C + 2C² − 6C³ − C⁴)/3 e^{−iφ}: 1 for every wave at C = 1, unstable on both sides.
+    let text = "u[n+1,j] = (1 - C^3 + C^4)*u[n,j] + (5*C + 2*C^2 - 6*C^3 - C^4)/3*u[n,j-1]";
+    let step = Step::from_text(text).unwrap();
+    let set = set_of(&step, integer(10));
+    assert!(!set.contains(&integer(1)), "{set:?}");
+    assert_eq!(decide_at(&margin_of(&step), &integer(1)), PointVerdict::Stable);
+    cross_check(&step, &set, &integer(1));
 }
 
 #[test]

@@ -1,16 +1,11 @@
 //! Any linear scheme as a user names it: equations, files, spaces with integrators, particle methods.
 
-use assert_cmd::Command;
+use super::courant;
 use serde_json::Value;
-use std::process::Output;
 use std::time::{Duration, Instant};
 
 const LEAPFROG: &str = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])";
 const DOWNWIND: &str = "u[n+1,j] + C*(u[n+1,j+1]-u[n+1,j]) = u[n,j]";
-
-fn courant(arguments: &[&str]) -> Output {
-    Command::cargo_bin("courant").unwrap().args(arguments).output().unwrap()
-}
 
 fn shown(arguments: &[&str]) -> String {
     let output = courant(arguments);
@@ -19,10 +14,7 @@ fn shown(arguments: &[&str]) -> String {
 }
 
 fn json(arguments: &[&str]) -> Value {
-    let output = courant(&[arguments, &["--format", "json"]].concat());
-    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.code().is_some_and(|code| code < 2), "{errors}");
-    serde_json::from_slice(&output.stdout).unwrap()
+    super::json(&[arguments, &["--format", "json"]].concat())
 }
 
 fn first_row(arguments: &[&str]) -> Value {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 fn probe(words: &[&str]) -> Output {
-    Command::cargo_bin("courant").unwrap().arg("probe").args(words).output().unwrap()
+    super::courant(&[&["probe"], words].concat())
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -29,7 +29,7 @@ fn has_numpy() -> bool {
     found
 }
 
-/// The example in Rust; `cargo test` builds it beside the program, `cargo test --test probe` does not.
+/// The example in Rust; `cargo test` builds it beside the program, `cargo test --test program` does not.
 fn probe_step() -> PathBuf {
     let program = Path::new(env!("CARGO_BIN_EXE_courant"));
     let name = format!("probe_step{}", std::env::consts::EXE_SUFFIX);

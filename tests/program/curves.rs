@@ -1,13 +1,11 @@
 //! `courant curves` as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
 use std::process::Output;
 
 fn courant(arguments: &[&str], out: &Path) -> Output {
-    let mut command = Command::cargo_bin("courant").unwrap();
-    command.arg("curves").args(arguments).arg("--out").arg(out).output().unwrap()
+    super::courant(&[&["curves"], arguments, &["--out", out.to_str().unwrap()]].concat())
 }
 
 fn json(arguments: &str) -> Value {

@@ -1,15 +1,10 @@
 //! Two and three space dimensions from the command line.
 
-use assert_cmd::Command;
+use super::courant;
 use serde_json::{Value, json};
-use std::process::Output;
 
 const WAVE: &str = "u[n+1,i,j] = 2*u[n,i,j] - u[n-1,i,j] + C^2*(u[n,i+1,j] + u[n,i-1,j] + u[n,i,j+1] + u[n,i,j-1] - 4*u[n,i,j])";
 const HEAT: &str = "u[n+1,i,j,k] = u[n,i,j,k] + r*(u[n,i+1,j,k] + u[n,i-1,j,k] + u[n,i,j+1,k] + u[n,i,j-1,k] + u[n,i,j,k+1] + u[n,i,j,k-1] - 6*u[n,i,j,k])";
-
-fn courant(arguments: &[&str]) -> Output {
-    Command::cargo_bin("courant").unwrap().args(arguments).output().unwrap()
-}
 
 fn answer(arguments: &[&str]) -> Value {
     let output = courant(&[arguments, &["--format", "json"]].concat());

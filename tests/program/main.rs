@@ -1,0 +1,27 @@
+//! The program as a user meets it.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::process::Output;
+
+mod answers;
+mod curves;
+mod dialect;
+mod dimensions;
+mod manners;
+mod probe;
+mod subjects;
+
+fn courant(arguments: &[&str]) -> Output {
+    Command::cargo_bin("courant").unwrap().args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = courant(arguments);
+    assert!(output.status.code().is_some_and(|code| code < 2), "{}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
