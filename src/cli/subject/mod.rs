@@ -5,14 +5,13 @@ mod options;
 
 use super::{Failure, numbers};
 use courant::analysis::exact::laurent::Laurent;
-use courant::analysis::exact::rational::{Rational, decimal_below, integer, to_f64, to_text};
+use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
 use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::catalogue::SchemeFile;
 use courant::analysis::scheme::{Integrator, KernelLattice, Lines, SchemeError, Step};
 use courant::analysis::stability::SearchPlan;
 use courant::reports::plane_map::PlaneAxis;
 use courant::reports::record::SubjectRecord;
-use courant::reports::table::Align;
 pub use label::{Label, row_name, shown, varying};
 pub use options::{Defaults, SubjectOptions, setting};
 use std::sync::Arc;
