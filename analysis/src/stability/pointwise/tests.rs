@@ -88,8 +88,8 @@ fn cross_check(step: &Step, set: &StableSet, courant_number: &Rational) {
         let beside = courant_number * (integer(1) + ratio(side, 1 << 40));
         matches!(decide_at(&margin, &beside), PointVerdict::Unstable(_))
     };
-    let is_single = || grows(1) && grows(-1);
-    if !open && !close && !(stable && is_single()) {
+    let is_single = stable && grows(1) && grows(-1);
+    if !open && !close && !is_single {
         assert_eq!(
             set.contains(courant_number),
             stable,
