@@ -35,7 +35,7 @@ pub struct Arguments {
     /// Also the limits for |z| ≤ 1 + growth per step: 1e-9,1e-6,1e-3.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::non_negative_list)]
     growth: Option<Numbers>,
-    /// Look at N equally spaced phases instead of proving; for explicit one-step schemes.
+    /// Look at N equally spaced phases instead of proving; for explicit one-step schemes in one dimension.
     #[arg(long, value_name = "N", value_parser = numbers::phases, conflicts_with = "method")]
     samples: Option<usize>,
     /// Significant digits of the limits, cut off and not rounded (at most 300); more than 15 need a closed form, an equation, or a
@@ -56,7 +56,8 @@ pub struct SearchOptions {
     /// Look for stable values up to this one (default: 100; schemes with kernels 10 + 4 l/Δξ; c Δt/h of particle methods 10).
     #[arg(long, alias = "max-cfl", value_name = "VALUE", allow_hyphen_values = true, value_parser = numbers::courant_number)]
     max: Option<Rational>,
-    /// Boxes that one decision may look at; when they are spent the answer is `undecided` (default: no bound of yours).
+    /// Boxes that one decision may look at, in two and three dimensions all decisions of a search together, where boxes of long polynomials count
+    /// more; when they are spent the answer is `undecided` (default: no bound of yours).
     #[arg(long, value_name = "BOXES", value_parser = numbers::budget)]
     budget: Option<usize>,
 }
