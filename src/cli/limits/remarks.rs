@@ -86,7 +86,12 @@ pub(super) fn remarks(
             add(reason);
         }
         if let (Some(binding), true) = (limit.binding(), limit.upper().is_finite()) {
-            if binding.whatever_the_step {
+            if binding.whatever_the_step
+                && answers.len() == 1
+                && answer.subject.kind != Kind::Method
+            {
+                // Said already.
+            } else if binding.whatever_the_step {
                 let force = match answer.subject.kind {
                     Kind::Method => ": its restoring force has the wrong sign",
                     _ => "",
