@@ -1,7 +1,8 @@
 //! Individual time steps in blocks of powers of two.
 
 use super::gas::Gas;
-use super::pair_force::{PairForce, Work};
+use super::integrator::Work;
+use super::pair_force::PairForce;
 use super::rates::Rates;
 use super::system::ParticleSystem;
 use super::thermal::ThermalState;
@@ -23,6 +24,8 @@ use crate::run::Reason;
 pub struct BlockStepper<const D: usize, T> {
     levels: u32,
     courant: f64,
+    /// Which velocity the heating uses.
+    pub work: Work,
     rates: Rates<D, T>,
     level: Vec<u32>,
     signal: Vec<f64>,
@@ -36,11 +39,12 @@ pub struct BlockStepper<const D: usize, T> {
 }
 
 impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
-    /// At most `levels` halvings; steps of `courant` crossing times.
+    /// At most `levels` halvings; steps of `courant` crossing times, time-centred work.
     pub fn new(levels: u32, courant: f64) -> Self {
         Self {
             levels,
             courant,
+            work: Work::TimeCentred,
             rates: Rates::default(),
             level: Vec::new(),
             signal: Vec::new(),
@@ -109,7 +113,7 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             for (x, v) in system.particles.position.iter_mut().zip(&system.particles.velocity) {
                 *x = plus_scaled(x, tick, v);
             }
-            self.close(system, F::WORK, finest, now + 1, tick);
+            self.close(system, finest, now + 1, tick);
             self.substeps += 1;
         }
         Ok(())
@@ -174,7 +178,6 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
     fn close<G: Gas<Thermal = T>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
-        work: Work,
         finest: u32,
         now: u32,
         tick: f64,
@@ -188,7 +191,7 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             let change = self.impulse[i];
             let old = state.velocity[i];
             let centred = plus_scaled(&old, 0.5, &change);
-            let seen = match work {
+            let seen = match self.work {
                 Work::Instantaneous => old,
                 Work::TimeCentred => centred,
             };

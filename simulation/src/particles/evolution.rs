@@ -2,7 +2,7 @@
 
 use super::block_steps::BlockStepper;
 use super::gas::Gas;
-use super::integrator::{Nystrom, Stepper};
+use super::integrator::{Nystrom, Stepper, Work};
 use super::pair_force::PairForce;
 use super::system::{ParticleSystem, Particles};
 use super::vector::Vector;
@@ -86,6 +86,16 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
     ) -> Self {
         let before = system.particles.clone();
         Self { system, force, courant, stepping, current: false, before }
+    }
+
+    /// With the heating by another velocity than the time-centred one.
+    #[must_use]
+    pub fn with_work(mut self, work: Work) -> Self {
+        match &mut self.stepping {
+            Stepping::Global(stepper) => stepper.work = work,
+            Stepping::Blocks(stepper) => stepper.work = work,
+        }
+        self
     }
 
     /// The particles; after a step that was taken, with the fields of their state.

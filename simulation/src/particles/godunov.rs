@@ -1,7 +1,7 @@
 //! Godunov particle hydrodynamics: the star state of a Riemann problem in place of pressures and
 //! artificial viscosity. Cha & Whitworth 2003, section 3.
 
-use super::pair_force::{Exchange, PairEnd, PairForce, Work};
+use super::pair_force::{Exchange, PairEnd, PairForce};
 use super::pair_weight::PairWeight;
 use super::smoothing_kernel::RadialKernel;
 use crate::riemann::{StarSolver, State};
@@ -21,8 +21,6 @@ pub struct Godunov<W, S> {
 }
 
 impl<W: PairWeight, S: StarSolver> PairForce for Godunov<W, S> {
-    const WORK: Work = W::WORK;
-
     fn reach(&self) -> f64 {
         self.weight.reach()
     }

@@ -1,7 +1,7 @@
 //! Time integrators with one global step.
 
 use super::gas::Gas;
-use super::pair_force::{PairForce, Work};
+use super::pair_force::PairForce;
 use super::rates::Rates;
 use super::system::ParticleSystem;
 use super::thermal::ThermalState;
@@ -23,6 +23,15 @@ pub fn table(integrator: &'static Integrator) -> Result<Nystrom<f64>, NotExplici
     integrator.nystrom().ok_or(NotExplicit(&integrator.name))
 }
 
+/// The velocity of the particle in its own heating rate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Work {
+    /// That of the state the force was evaluated at: total energy is conserved to the order of the integrator.
+    Instantaneous,
+    /// The mean of those before and after the step: total energy is conserved to round-off.
+    TimeCentred,
+}
+
 /// Rates kept of a stage.
 #[derive(Debug, Clone)]
 struct Stage<const D: usize, T> {
@@ -37,6 +46,8 @@ struct Stage<const D: usize, T> {
 #[derive(Debug, Clone)]
 pub struct Stepper<const D: usize, T> {
     table: Nystrom<f64>,
+    /// Which velocity the heating uses.
+    pub work: Work,
     /// Rates at the last stage evaluated.
     pub rates: Rates<D, T>,
     started: bool,
@@ -52,12 +63,13 @@ pub struct Stepper<const D: usize, T> {
 }
 
 impl<const D: usize, T: ThermalState> Stepper<D, T> {
-    /// A stepper for systems of any size.
+    /// A stepper for systems of any size, with time-centred work.
     pub fn new(table: Nystrom<f64>) -> Self {
         let stage = Stage { acceleration: Vec::new(), heat: Vec::new() };
         Self {
             stages: vec![stage; table.c.len()],
             table,
+            work: Work::TimeCentred,
             rates: Rates::default(),
             started: false,
             position: Vec::new(),
@@ -117,7 +129,7 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
             }
             self.accumulate(system, stage, dt);
         }
-        self.complete(system, dt, F::WORK);
+        self.complete(system, dt);
         Ok(())
     }
 
@@ -198,18 +210,13 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         kept.acceleration.clone_from(&self.rates.acceleration);
     }
 
-    fn complete<G: Gas<Thermal = T>>(
-        &self,
-        system: &mut ParticleSystem<D, G>,
-        dt: f64,
-        work: Work,
-    ) {
+    fn complete<G: Gas<Thermal = T>>(&self, system: &mut ParticleSystem<D, G>, dt: f64) {
         let Nystrom { position_weights, velocity_weights, .. } = &self.table;
         let state = &mut system.particles;
         for i in 0..state.len() {
             let velocity = &self.velocity[i];
             let acceleration = self.sum([0.0; D], 1.0, velocity_weights, i);
-            let heat = match work {
+            let heat = match self.work {
                 Work::Instantaneous => self.sum_heat[i],
                 Work::TimeCentred => {
                     // (v + v')/2 · (v' − v) is the change of kinetic energy, exactly.

@@ -1,7 +1,7 @@
 //! The six methods of the paper by name, and their options.
 
 use super::density::Smoothing;
-use super::integrator::{Integrator, NotExplicit, table};
+use super::integrator::{Integrator, NotExplicit, Work, table};
 use super::pair_weight::VolumeInterpolation;
 use super::viscous::Viscosity;
 use courant_analysis::kernel::Kernel;
@@ -116,6 +116,9 @@ pub struct MethodOptions {
     pub courant: f64,
     /// The integrator.
     pub integrator: &'static Integrator,
+    /// The velocity at which forces work. Cases 1 and 2 are published with that of the old step, which in strong
+    /// shocks gains energy however many particles there are; SPH with that of each stage.
+    pub work: Work,
     /// The Riemann solver.
     pub solver: SolverChoice,
     /// The artificial viscosity of SPH.
@@ -143,6 +146,7 @@ impl MethodOptions {
             eta,
             courant: 0.5,
             integrator,
+            work: if method.is_godunov() { Work::TimeCentred } else { Work::Instantaneous },
             solver: SolverChoice::Published,
             viscosity: Viscosity::STANDARD,
             volume: VolumeInterpolation::Cubic,

@@ -33,10 +33,10 @@ pub use domain::{Domain, Image};
 pub use evolution::{ParticleEvolution, Stepping};
 pub use gas::{Gas, IsothermalGas};
 pub use godunov::Godunov;
-pub use integrator::{Integrator, NotExplicit, Nystrom, Stepper, table};
+pub use integrator::{Integrator, NotExplicit, Nystrom, Stepper, Work, table};
 pub use method::{InvalidMethodOptions, MethodOptions, ParticleMethod, SolverChoice, StepSharing};
 pub use neighbours::{Neighbours, Pair};
-pub use pair_force::{Exchange, PairEnd, PairForce, Work};
+pub use pair_force::{Exchange, PairEnd, PairForce};
 pub use pair_weight::{
     Convolution, OwnKernels, PairWeight, Product, SumOfSquares, VolumeInterpolation,
 };

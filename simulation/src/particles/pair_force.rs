@@ -41,20 +41,8 @@ pub struct Exchange {
     pub iterations: u32,
 }
 
-/// The velocity of the particle in its own heating rate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Work {
-    /// That of the state the force was evaluated at: total energy is conserved to the order of the integrator.
-    Instantaneous,
-    /// The mean of those before and after the step: total energy is conserved to round-off.
-    TimeCentred,
-}
-
 /// A pair force. Exactly antisymmetric by construction: a pair is evaluated once.
 pub trait PairForce: Sync {
-    /// Which velocity the heating uses.
-    const WORK: Work;
-
     /// Where the force ends, in units of the kernel's support times the larger smoothing length.
     fn reach(&self) -> f64 {
         1.0

@@ -3,14 +3,12 @@
 //! All are the `A` of `force = P A` (per product of masses) on the left particle, hence never
 //! positive: `∇_left W = −W' e` with `e` pointing right, and the equations carry a minus.
 
-use super::pair_force::{PairEnd, Work};
+use super::pair_force::PairEnd;
 use super::smoothing_kernel::RadialKernel;
 use std::f64::consts::SQRT_2;
 
 /// A factor `A` with `force = P A`.
 pub trait PairWeight: Sync {
-    /// Which velocity the case puts into its energy equation.
-    const WORK: Work;
     /// Whether the energy equation uses the star velocity, or the mean of the particles'.
     const STAR_WORK: bool;
 
@@ -68,7 +66,6 @@ pub enum VolumeInterpolation {
 pub struct Convolution(pub VolumeInterpolation);
 
 impl PairWeight for SumOfSquares {
-    const WORK: Work = Work::Instantaneous;
     const STAR_WORK: bool = false;
 
     #[inline]
@@ -79,7 +76,6 @@ impl PairWeight for SumOfSquares {
 }
 
 impl PairWeight for Product {
-    const WORK: Work = Work::Instantaneous;
     const STAR_WORK: bool = false;
 
     #[inline]
@@ -89,7 +85,6 @@ impl PairWeight for Product {
 }
 
 impl PairWeight for OwnKernels {
-    const WORK: Work = Work::TimeCentred;
     const STAR_WORK: bool = true;
 
     #[inline]
@@ -122,7 +117,6 @@ impl Convolution {
 }
 
 impl PairWeight for Convolution {
-    const WORK: Work = Work::TimeCentred;
     const STAR_WORK: bool = true;
 
     fn reach(&self) -> f64 {

@@ -98,7 +98,8 @@ fn evolve<G: Gas, F: PairForce>(
         StepSharing::Block { levels } => {
             ParticleEvolution::blocks(system, force, levels, options.courant)
         }
-    };
+    }
+    .with_work(options.work);
     let mut penetration = Penetration::default();
     let limits = Limits { steps: options.max_steps as usize };
     let march = march(&mut evolution, scene.end_time, limits, |state, _| {

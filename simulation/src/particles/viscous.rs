@@ -1,6 +1,6 @@
 //! Smoothed particle hydrodynamics with artificial viscosity: Cha & Whitworth 2003 (4)–(8).
 
-use super::pair_force::{Exchange, PairEnd, PairForce, Work};
+use super::pair_force::{Exchange, PairEnd, PairForce};
 use super::smoothing_kernel::RadialKernel;
 
 /// Artificial viscosity (8).
@@ -66,8 +66,6 @@ pub struct Smoothed {
 }
 
 impl PairForce for Smoothed {
-    const WORK: Work = Work::Instantaneous;
-
     #[inline]
     fn exchange<K: RadialKernel>(
         &self,

@@ -117,7 +117,7 @@ proptest! {
     }
 
     #[test]
-    fn the_roe_flux_is_its_matrix_formula(
+    fn the_roe_flux_is_its_matrix_formula_or_rusanovs_where_that_has_no_gas(
         l in numbers(), r in numbers(), alpha in 0.0..1.0f64, printed: bool, density: bool,
     ) {
         let (l, r) = (particle(l), particle(r));
@@ -141,7 +141,18 @@ proptest! {
         let damped = [c * strengths[0], lambda * strengths[1], c * strengths[2]];
         let dissipation = times(&vectors, damped);
         let (fl, fr) = (l.flux(), r.flux());
-        let wanted = [0, 1, 2].map(|k| 0.5 * (fl[k] + fr[k]) - 0.5 * dissipation[k]);
+        let mut wanted = [0, 1, 2].map(|k| 0.5 * (fl[k] + fr[k]) - 0.5 * dissipation[k]);
+        let beside_contact = |state: &LagrangianState, wave: usize, sign: f64| {
+            let u = state.conserved();
+            let [v, w, e] = [0, 1, 2].map(|k| u[k] + sign * strengths[wave] * vectors[k][wave]);
+            v.min(e - 0.5 * w * w)
+        };
+        let least = beside_contact(&l, 0, 1.0).min(beside_contact(&r, 2, -1.0));
+        // Where round-off decides, both are right.
+        prop_assume!(least.abs() > 1e-9 && (lambda - c).abs() > 1e-9);
+        if least < 0.0 || lambda > c {
+            wanted = Rusanov.flux(gas(), &l, &r);
+        }
         let found = roe(mean, contact).flux(gas(), &l, &r);
         // Cramer's rule loses up to the ratio of the eigenvector entries, 1e2 here.
         let mut unit = scale(&l, &r);

@@ -32,10 +32,9 @@ fn every_method_finishes_every_scene_of_the_paper_and_keeps_what_it_promises() {
             assert_eq!(run.profile.energy.is_empty(), isothermal);
             if let Some(energy) = run.drift.energy {
                 let bound = match method {
-                    // Time-centred: round-off. Old velocities: first order in time. SPH: second.
-                    ParticleMethod::Gph3 | ParticleMethod::Gph4 => 1e-14,
-                    ParticleMethod::Gph1 | ParticleMethod::Gph2 => 3e-3,
+                    // Time-centred: round-off. SPH: second order in time.
                     ParticleMethod::Sph1 | ParticleMethod::Sph2 => 2e-5,
+                    _ => 1e-14,
                 };
                 assert!(energy < bound, "{what}: {energy:e}");
             }
@@ -180,6 +179,28 @@ fn streams_penetrate_where_dissipation_is_weak() {
     assert_eq!(largest(&scene, ParticleMethod::Sph1, Viscosity::STANDARD), 0);
 }
 
+/// As published, with work done at the velocities of the old step, cases 1 and 2 gain energy in strong shocks,
+/// however many particles there are; the plateau behind Noh's shock, 4, is missed by as much.
+#[test]
+fn centred_work_keeps_the_energy_of_cases_1_and_2() {
+    let plateau = |method, work| {
+        let run = run("noh", method, |options| options.work = work);
+        assert!(run.completed(), "{:?}", run.failure);
+        let near = |x: &f64| (0.06..0.14).contains(&x.abs());
+        let inside: Vec<f64> = (run.profile.x.iter().zip(&run.profile.density))
+            .filter(|(x, _)| near(x))
+            .map(|(_, density)| *density)
+            .collect();
+        (inside.iter().sum::<f64>() / inside.len() as f64, run.drift.energy.expect("ideal"))
+    };
+    for method in [ParticleMethod::Gph1, ParticleMethod::Gph2] {
+        let (density, drift) = plateau(method, Work::TimeCentred);
+        assert!((density - 4.0).abs() < 0.03 && drift < 1e-13, "{method:?} {density} {drift:e}");
+        let (density, drift) = plateau(method, Work::Instantaneous);
+        assert!(density < 3.85 && drift > 0.05, "{method:?} {density} {drift}");
+    }
+}
+
 /// Cold gas far from the shock would take long steps by its own signal velocity, and be run over.
 #[test]
 fn cold_gas_is_warned_of_a_shock_within_a_block() {
@@ -197,11 +218,10 @@ fn one_block_level_is_the_global_step() {
     let block = run("sod-sph", ParticleMethod::Gph3, |options| {
         options.sharing = StepSharing::Block { levels: 0 };
     });
-    // The end is reached by different last steps; the rest is the same to rounding.
     for (a, b) in global.profile.velocity.iter().zip(&block.profile.velocity) {
-        assert!((a - b).abs() < 1e-4);
+        assert!((a - b).abs() < 1e-12);
     }
-    assert!(global.steps.abs_diff(block.steps) <= 1);
+    assert_eq!(global.steps, block.steps);
 }
 
 #[test]
