@@ -59,6 +59,7 @@ impl AdvectionRecord {
                 method: plan.method.scheme.name().into(),
                 particles: plan.particles,
                 steps: result.steps as usize,
+                rejected_steps: 0,
                 time: result.time,
                 completed: failure.is_none(),
                 failure: failure.clone(),

@@ -2,20 +2,12 @@
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::finite;
-use courant_simulation::particles::{Flow, Material, ParticleRun, ParticleScene};
 use courant_simulation::riemann::State;
-use courant_simulation::run::Profile;
+use courant_simulation::run::{Profile, Run};
+use courant_simulation::scene::{Material, Scene};
 
 /// Points of the curve of an exact solution: enough for a jump to look upright in print.
 const CURVE_POINTS: usize = 2400;
-
-/// Whether the exact solution of a scene holds at `time`.
-///
-/// A pulse is followed through every reflection. Riemann problems hold until waves from the ends
-/// of the filled interval reach the window; the scenes' own end times are the latest that were checked.
-pub fn exact_solution_holds(scene: &ParticleScene, customary_end: f64, time: f64) -> bool {
-    matches!(scene.flow, Flow::Pulse { .. }) || time <= customary_end
-}
 
 /// What a panel shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,7 +26,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// The four panels of a scene.
-    pub fn four(scene: &ParticleScene) -> [Self; 4] {
+    pub fn four(scene: &Scene) -> [Self; 4] {
         let last = match scene.material {
             Material::Ideal(_) => Self::Energy,
             Material::Isothermal(_) => Self::DensityError,
@@ -64,7 +56,7 @@ impl Quantity {
         }
     }
 
-    fn of_particle(self, scene: &ParticleScene, profile: &Profile, time: f64, i: usize) -> f64 {
+    fn of_particle(self, scene: &Scene, profile: &Profile, time: f64, i: usize) -> f64 {
         match self {
             Self::Density => profile.density[i],
             Self::Velocity => profile.velocity[i],
@@ -76,22 +68,14 @@ impl Quantity {
         }
     }
 
-    fn of_state(self, scene: &ParticleScene, state: &State) -> f64 {
+    fn of_state(self, scene: &Scene, state: &State) -> f64 {
         match self {
             Self::Density => state.density(),
             Self::Velocity => state.velocity(),
             Self::Pressure => state.pressure(),
-            Self::Energy => internal_energy(scene, state).unwrap_or(f64::NAN),
+            Self::Energy => scene.material.internal_energy(state).unwrap_or(f64::NAN),
             Self::DensityError => 0.0,
         }
-    }
-}
-
-/// `u = P/((γ − 1)ρ)`; `None` for an isothermal gas.
-pub fn internal_energy(scene: &ParticleScene, state: &State) -> Option<f64> {
-    match scene.material {
-        Material::Ideal(gas) => Some(gas.internal_energy(state.density(), state.pressure())),
-        Material::Isothermal(_) => None,
     }
 }
 
@@ -102,8 +86,8 @@ pub const PARTICLES: (Marker, Color) = (Marker::Circle, Color::BLUE);
 ///
 /// Logarithmic axes leave out what is not positive.
 pub fn profile_panel(
-    scene: &ParticleScene,
-    run: &ParticleRun,
+    scene: &Scene,
+    run: &Run,
     quantity: Quantity,
     logarithmic: bool,
     exact: bool,
@@ -127,12 +111,12 @@ pub fn profile_panel(
             .open()
             .size(2.4)
             .width(0.55)
-            .label("particles"),
+            .label(if run.profile.mass.is_empty() { "cells" } else { "particles" }),
     )
 }
 
 /// The exact solution as a curve over the scene's window.
-pub fn exact_line(scene: &ParticleScene, quantity: Quantity, time: f64) -> Line {
+pub fn exact_line(scene: &Scene, quantity: Quantity, time: f64) -> Line {
     let [from, to] = scene.window;
     let points = (0..=CURVE_POINTS).filter_map(|k| {
         let x = from + (to - from) * k as f64 / CURVE_POINTS as f64;
@@ -142,14 +126,14 @@ pub fn exact_line(scene: &ParticleScene, quantity: Quantity, time: f64) -> Line 
 }
 
 /// Whether a quantity of the scene spans so many decades that only a logarithmic axis shows it.
-pub fn wants_logarithm(scene: &ParticleScene, quantity: Quantity) -> bool {
+pub fn wants_logarithm(scene: &Scene, quantity: Quantity) -> bool {
     scene.name == "strong-blast"
         && matches!(quantity, Quantity::Density | Quantity::Pressure | Quantity::Energy)
 }
 
 /// Four panels: density, velocity, pressure and internal energy (isothermal: the error of the
-/// density). `exact` says whether the exact solution is drawn.
-pub fn profile_figure(scene: &ParticleScene, run: &ParticleRun, exact: bool) -> Figure {
+/// density), in the window of the scene. `exact` says whether the exact solution is drawn.
+pub fn profile_figure(scene: &Scene, run: &Run, exact: bool) -> Figure {
     let panels = Quantity::four(scene).into_iter().enumerate().map(|(k, quantity)| {
         let letter = char::from(b'a' + k as u8);
         profile_panel(scene, run, quantity, wants_logarithm(scene, quantity), exact)
@@ -158,17 +142,20 @@ pub fn profile_figure(scene: &ParticleScene, run: &ParticleRun, exact: bool) -> 
     Figure::grid(2, 2).size(7.0, 5.2).panels(panels).legend_below()
 }
 
-/// The profile as CSV: one line for each particle in the order of the start, with the exact solution where
-/// there is one. Columns that the gas does not have are left out.
-pub fn profile_csv(scene: &ParticleScene, run: &ParticleRun, exact: bool) -> Vec<u8> {
+/// The profile as CSV: one line for each particle or cell in the order of the start, with the exact solution at its place
+/// where there is one. Columns that the gas or the method does not have are left out.
+pub fn profile_csv(scene: &Scene, run: &Run, exact: bool) -> Vec<u8> {
     let profile = &run.profile;
-    let has_energy = matches!(scene.material, Material::Ideal(_));
+    let has_energy = !profile.energy.is_empty();
     let exact = exact && profile.x.first().is_some_and(|&x| scene.exact(x, run.time).is_some());
-    let mut header = vec!["x", "density", "velocity", "pressure"];
-    if has_energy {
-        header.push("energy");
+    let mut header = vec!["particle", "x", "density", "velocity", "pressure"];
+    let mut columns = vec![&profile.x, &profile.density, &profile.velocity, &profile.pressure];
+    for (name, column) in [("energy", &profile.energy), ("smoothing_length", &profile.smoothing)] {
+        if !column.is_empty() {
+            header.push(name);
+            columns.push(column);
+        }
     }
-    header.push("smoothing_length");
     if exact {
         header.extend(["exact_density", "exact_velocity", "exact_pressure"]);
         if has_energy {
@@ -178,20 +165,22 @@ pub fn profile_csv(scene: &ParticleScene, run: &ParticleRun, exact: bool) -> Vec
     let mut text = header.join(",");
     text.push('\n');
     for (i, &x) in profile.x.iter().enumerate() {
-        let mut row = vec![x, profile.density[i], profile.velocity[i], profile.pressure[i]];
-        if has_energy {
-            row.push(profile.energy[i]);
+        let mut row: Vec<f64> = columns.iter().map(|column| column[i]).collect();
+        if exact {
+            let state = finite(x).and_then(|x| scene.exact(x, run.time));
+            let value = |value: fn(&State) -> f64| state.as_ref().map_or(f64::NAN, value);
+            row.extend([value(State::density), value(State::velocity), value(State::pressure)]);
+            if has_energy {
+                let energy = state.and_then(|state| scene.material.internal_energy(&state));
+                row.push(energy.unwrap_or(f64::NAN));
+            }
         }
-        row.push(run.smoothing[i]);
-        if let Some(state) = scene.exact(x, run.time).filter(|_| exact) {
-            row.extend([state.density(), state.velocity(), state.pressure()]);
-            row.extend(internal_energy(scene, &state));
+        text.push_str(&i.to_string());
+        for value in row {
+            // What is no number is an empty field.
+            text.push(',');
+            text.push_str(&finite(value).map_or_else(String::new, |value| value.to_string()));
         }
-        let cells: Vec<String> = row
-            .iter()
-            .map(|value| finite(*value).map_or_else(String::new, |value| value.to_string()))
-            .collect();
-        text.push_str(&cells.join(","));
         text.push('\n');
     }
     text.into_bytes()
@@ -200,13 +189,19 @@ pub fn profile_csv(scene: &ParticleScene, run: &ParticleRun, exact: bool) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_simulation::particles::{MethodOptions, ParticleMethod, run_particles};
+    use courant_simulation::comparison::Comparison;
+    use courant_simulation::method::Method;
 
     #[test]
-    fn the_table_has_the_columns_of_the_gas_and_every_particle() {
-        for (name, columns) in [("sod-sph", 10), ("isothermal-tube", 8), ("woodward-colella", 6)] {
-            let scene = ParticleScene { end_time: 1e-4, ..ParticleScene::named(name).unwrap() };
-            let run = run_particles(&scene, 20, &MethodOptions::new(ParticleMethod::Gph1)).unwrap();
+    fn the_table_has_the_columns_of_the_gas_and_the_method_and_every_particle() {
+        for (name, method, columns) in [
+            ("sod-sph", "gph1", 11),
+            ("isothermal-tube", "gph1", 9),
+            ("woodward-colella", "sph1", 7),
+            ("sod", "finite-volume", 10),
+        ] {
+            let scene = Scene { end_time: 1e-4, ..Scene::named(name).unwrap() };
+            let run = Method::named(method).unwrap().run(&scene, 20).unwrap();
             let text = String::from_utf8(profile_csv(&scene, &run, true)).unwrap();
             assert_eq!(text.lines().count(), 1 + run.profile.len());
             assert!(text.lines().all(|line| line.split(',').count() == columns), "{name}: {text}");
@@ -215,10 +210,21 @@ mod tests {
     }
 
     #[test]
-    fn a_pulse_is_followed_for_ever_and_a_tube_to_its_end() {
-        let tube = ParticleScene::named("sod-sph").unwrap();
-        assert!(exact_solution_holds(&tube, 0.17, 0.17) && !exact_solution_holds(&tube, 0.17, 0.2));
-        let wave = ParticleScene::named("sound-wave").unwrap();
-        assert!(exact_solution_holds(&wave, 0.8, 100.0));
+    fn the_norms_follow_from_the_table() {
+        let sod = Scene::named("sod").unwrap();
+        let run = Method::named("lagrangian-roe").unwrap().run(&sod, 50).unwrap();
+        let l1 = Comparison::new(&sod, &run).unwrap().l1;
+        let text = String::from_utf8(profile_csv(&sod, &run, true)).unwrap();
+        let rows: Vec<Vec<f64>> = text
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+            .collect();
+        for (column, norm) in
+            [l1.density, l1.velocity, l1.pressure, l1.energy].into_iter().enumerate()
+        {
+            let sum: f64 = rows.iter().map(|row| (row[2 + column] - row[6 + column]).abs()).sum();
+            assert!((sum / 50.0 - norm).abs() < 1e-15);
+        }
     }
 }

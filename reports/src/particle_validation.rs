@@ -187,7 +187,9 @@ fn with_force<V: ForceVisitor>(
     match code {
         ParticleMethod::Gph2 => visitor.visit(&Godunov { weight: Product, solver }),
         ParticleMethod::Gph3 => visitor.visit(&Godunov { weight: OwnKernels, solver }),
-        ParticleMethod::Sph1 => visitor.visit(&Smoothed { form: PressureForm::Sum, viscosity }),
+        ParticleMethod::Sph1 | ParticleMethod::Adke => {
+            visitor.visit(&Smoothed { form: PressureForm::Sum, viscosity })
+        }
         ParticleMethod::Sph2 => {
             visitor.visit(&Smoothed { form: PressureForm::Geometric, viscosity })
         }

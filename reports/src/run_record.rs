@@ -58,6 +58,8 @@ pub struct RunRecord {
     pub particles: usize,
     /// Time steps taken.
     pub steps: usize,
+    /// Steps that broke and were repeated with half their length.
+    pub rejected_steps: usize,
     /// The time reached.
     pub time: f64,
     /// Whether the end time was reached.

@@ -11,7 +11,7 @@
 use courant_simulation::lagrangian::flux::{Exact, Flux, LagrangianFlux, ModifiedRoe, Rusanov};
 use courant_simulation::lagrangian::{LagrangianOptions, LagrangianScheme};
 use courant_simulation::riemann::{IdealGas, State, solve};
-use courant_simulation::scene::{Scene, ShockTube, SimpleWave, WaveData};
+use courant_simulation::scene::Scene;
 use criterion::{Bencher, Criterion, Throughput};
 use std::hint::black_box;
 
@@ -59,13 +59,10 @@ fn lagrangian(criterion: &mut Criterion) {
     let particles = 100_000;
     // Every pair of the wave is a Riemann problem of its own; most pairs of a tube are equal states, which
     // cost nothing.
-    let data = WaveData { amplitude: 0.1, gamma: 1.4, end_time: 0.5, particles };
-    let wave = SimpleWave::new(data).expect("smooth");
-    let tube = ShockTube::standard("sod").expect("it is in the list");
+    let scenes = ["simple-wave", "sod"].map(|name| Scene::named(name).expect("it is in the list"));
     let roe = ModifiedRoe::default();
-    let scenes: [&dyn Scene; 2] = [&wave, &tube];
-    for scene in scenes {
-        let title = format!("lagrangian, N = {particles}, {}, pair fluxes", scene.name());
+    for scene in &scenes {
+        let title = format!("lagrangian, N = {particles}, {}, pair fluxes", scene.name);
         let mut group = criterion.benchmark_group(title);
         group.sample_size(10).throughput(Throughput::Elements(3 * particles as u64 + 6));
         group.bench_function("exact", |b| step(b, scene, particles, Flux::Exact, Exact));
@@ -78,7 +75,7 @@ fn lagrangian(criterion: &mut Criterion) {
 /// One step of a flow that has run for a hundred.
 fn step(
     bencher: &mut Bencher,
-    scene: &dyn Scene,
+    scene: &Scene,
     particles: usize,
     choice: Flux,
     flux: impl LagrangianFlux + Clone,

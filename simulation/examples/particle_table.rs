@@ -1,47 +1,52 @@
-//! Prints errors, conservation and work of every particle method on every scene.
+//! Prints errors, conservation and work of every method on every scene, or why it does not run it. Arguments: scene files; none: the
+//! named scenes.
 
-use courant_simulation::particles::{MethodOptions, ParticleMethod, ParticleScene, run_particles};
+use courant_simulation::comparison::Comparison;
+use courant_simulation::method::Method;
+use courant_simulation::scene::Scene;
 
 fn main() {
+    let files: Vec<String> = std::env::args().skip(1).collect();
+    let scenes = match files.as_slice() {
+        [] => Scene::all().to_vec(),
+        _ => files
+            .iter()
+            .map(|file| {
+                let text = std::fs::read_to_string(file).expect("a file");
+                Scene::parse(&text, file).unwrap_or_else(|error| panic!("{file}, {error}"))
+            })
+            .collect(),
+    };
     println!(
-        "{:20} {:5} {:>7} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>4} {:>9} {:>5}  failure",
-        "scene",
-        "",
-        "steps",
-        "density",
-        "velocity",
-        "pressure",
-        "energy",
-        "dP",
-        "dE",
-        "pen",
-        "pairs",
-        "it"
+        "scene,method,steps,rejected,density,velocity,pressure,energy,momentum drift,energy drift,passed,pairs,failure"
     );
-    for scene in ParticleScene::all() {
-        for method in ParticleMethod::ALL {
-            let options = MethodOptions::new(method);
-            let run = run_particles(&scene, scene.particles, &options).expect("default options");
-            let number = |value: Option<f64>| {
-                value.map_or_else(|| "-".into(), |value| format!("{value:.2e}"))
+    for scene in scenes {
+        for name in Method::NAMES {
+            let method = Method::named(name).expect("it is in the list");
+            print!("{},{name},", scene.name);
+            let run = match method.run(&scene, scene.particles) {
+                Ok(run) => run,
+                Err(error) => {
+                    println!(",,,,,,,,,,{error}");
+                    continue;
+                }
             };
-            let errors = run.errors.as_ref();
-            let per_pair =
-                run.counters.riemann_iterations as f64 / run.counters.interactions as f64;
+            let l1 = Comparison::new(&scene, &run).map(|comparison| comparison.l1);
+            let error = |value: Option<f64>| value.map_or_else(String::new, |v| format!("{v:.2e}"));
             println!(
-                "{:20} {:5} {:7} {:>9} {:>9} {:>9} {:>9} {:8.1e} {:>8} {:4} {:9} {per_pair:5.2}  {}",
-                scene.name,
-                method.name(),
+                "{},{},{},{},{},{},{:.1e},{},{},{},{}{}",
                 run.steps,
-                number(errors.map(|e| e.density)),
-                number(errors.map(|e| e.velocity)),
-                number(errors.map(|e| e.pressure)),
-                number(errors.and_then(|e| e.energy)),
-                run.drift.momentum,
-                number(run.drift.energy),
+                run.rejected,
+                error(l1.as_ref().map(|l1| l1.density)),
+                error(l1.as_ref().map(|l1| l1.velocity)),
+                error(l1.as_ref().map(|l1| l1.pressure)),
+                error(l1.as_ref().map(|l1| l1.energy)),
+                run.conservation.momentum,
+                error(run.conservation.energy),
                 run.penetration.largest,
                 run.counters.interactions,
-                run.failure.map_or_else(String::new, |f| f.to_string()),
+                run.failure.map_or_else(String::new, |failure| failure.to_string()),
+                run.warnings.iter().map(|warning| format!("; {warning}")).collect::<String>(),
             );
         }
     }

@@ -1,7 +1,6 @@
 //! Time stepping for `courant`: the real schemes, run on particles; gases, scenes, and the methods that
 //! advance them.
 
-pub mod adaptive_sph;
 pub mod advection;
 pub mod boundary;
 pub mod comparison;

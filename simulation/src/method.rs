@@ -1,22 +1,29 @@
-//! The methods by name.
+//! The methods by name, and the one way to run a scene with any of them.
 
-use crate::adaptive_sph::{self, AdaptiveSphOptions};
-use crate::finite_volume::{self, FiniteVolumeOptions};
-use crate::lagrangian::flux::{Exact, Flux, ModifiedRoe, Rusanov};
+use crate::finite_volume::{FiniteVolumeOptions, Grid};
+use crate::lagrangian::flux::{Exact, Flux, LagrangianFlux, ModifiedRoe, Rusanov};
 use crate::lagrangian::{LagrangianOptions, LagrangianScheme};
-use crate::run::{InvalidOptions, Run};
-use crate::scene::Scene;
+use crate::march::Limits;
+use crate::particles::{self, MethodOptions, ParticleMethod};
+use crate::run::{Flowing, InvalidOptions, Run};
+use crate::scene::{Material, Scene};
+use std::ops::ControlFlow;
 
 /// A method for gas dynamics in one dimension, with its options.
 ///
 /// ```
 /// use courant_simulation::method::Method;
-/// use courant_simulation::scene::ShockTube;
-/// let tube = ShockTube::standard("ferrari1").expect("it is in the list");
-/// let method = Method::named("lagrangian-roe").expect("it is in the list");
-/// let run = method.run(&tube, 100)?;
-/// assert!(run.completed() && run.time == 0.2);
-/// assert!(run.conservation.energy.abs() < 1e-13);
+/// use courant_simulation::scene::Scene;
+/// let tube = Scene::named("ferrari1").expect("it is in the list");
+/// for name in ["lagrangian-roe", "gph3"] {
+///     let method = Method::named(name).expect("it is in the list");
+///     let run = method.run(&tube, 100)?;
+///     assert!(run.completed() && run.time == 0.2 && run.warnings.is_empty());
+///     assert!(run.conservation.energy.expect("an ideal gas").abs() < 1e-13);
+/// }
+/// let isothermal = Scene::named("isothermal-tube").expect("it is in the list");
+/// let problem = Method::named("finite-volume").expect("it is in the list").run(&isothermal, 100);
+/// assert!(problem.unwrap_err().to_string().contains("isothermal"));
 /// # Ok::<(), courant_simulation::run::InvalidOptions>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,25 +32,50 @@ pub enum Method {
     Lagrangian(LagrangianOptions),
     /// First-order finite volumes in Eulerian coordinates.
     FiniteVolume(FiniteVolumeOptions),
-    /// Standard SPH with adaptive density kernel estimation.
-    AdaptiveSph(AdaptiveSphOptions),
+    /// SPH and Godunov particle hydrodynamics.
+    Particles(MethodOptions),
 }
 
+/// A gas ready to march.
+pub(crate) struct Start {
+    pub evolution: Box<dyn Flowing + Send>,
+    /// Particles beyond the ends.
+    pub waiting: [usize; 2],
+    pub max_steps: usize,
+}
+
+/// More particles than this are not run: they would fill the memory of a usual machine.
+const MOST_PARTICLES: usize = 10_000_000;
+
+/// A run that will need more steps than this, or than it is allowed, does not start.
+const MOST_STEPS: usize = 1_000_000;
+
 impl Method {
-    /// The five methods of Ferrari et al. 2008, section 3, in the order of its figures.
-    pub const NAMES: [&'static str; 5] =
-        ["finite-volume", "sph-adke", "lagrangian-exact", "lagrangian-rusanov", "lagrangian-roe"];
+    /// Every method: those of Ferrari et al. 2008, section 3, in the order of its figures, then those of Cha & Whitworth 2003.
+    pub const NAMES: [&'static str; 11] = [
+        "finite-volume",
+        "sph-adke",
+        "lagrangian-exact",
+        "lagrangian-rusanov",
+        "lagrangian-roe",
+        "gph1",
+        "gph2",
+        "gph3",
+        "gph4",
+        "sph1",
+        "sph2",
+    ];
 
     /// The method of [`NAMES`](Self::NAMES) with its default options.
     pub fn named(name: &str) -> Option<Self> {
         let lagrangian = |flux| Some(Self::Lagrangian(LagrangianOptions::new(flux)));
         match name {
             "finite-volume" => Some(Self::FiniteVolume(FiniteVolumeOptions::default())),
-            "sph-adke" => Some(Self::AdaptiveSph(AdaptiveSphOptions::default())),
             "lagrangian-exact" => lagrangian(Flux::Exact),
             "lagrangian-rusanov" => lagrangian(Flux::Rusanov),
             "lagrangian-roe" => lagrangian(Flux::ModifiedRoe(ModifiedRoe::default())),
-            _ => None,
+            _ => ParticleMethod::named(name)
+                .map(|method| Self::Particles(MethodOptions::new(method))),
         }
     }
 
@@ -51,7 +83,7 @@ impl Method {
     pub fn name(&self) -> &'static str {
         match self {
             Self::FiniteVolume(_) => "finite-volume",
-            Self::AdaptiveSph(_) => "sph-adke",
+            Self::Particles(options) => options.method.name(),
             Self::Lagrangian(options) => match options.flux {
                 Flux::Exact => "lagrangian-exact",
                 Flux::Rusanov => "lagrangian-rusanov",
@@ -60,40 +92,145 @@ impl Method {
         }
     }
 
-    /// Where the method comes from.
-    pub fn source(&self) -> &'static str {
-        match self {
-            Self::FiniteVolume(_) => "Godunov 1959; Toro 1999, chapter 6",
-            Self::AdaptiveSph(_) => "Sigalotti et al. 2006",
-            Self::Lagrangian(_) => "Ferrari et al. 2008, (3.9)-(3.16)",
+    /// Whether the method knows the physics of a scene.
+    ///
+    /// # Errors
+    /// [`InvalidOptions::Uncovered`] says what is missing.
+    pub fn covers(&self, scene: &Scene) -> Result<(), InvalidOptions> {
+        let ideal = matches!(scene.material, Material::Ideal(_));
+        let problem = match self {
+            Self::Particles(_) => None,
+            _ if !ideal => {
+                Some("it advances a total energy, which an isothermal gas does not have")
+            }
+            Self::FiniteVolume(_) => None,
+            Self::Lagrangian(_) if scene.has_gap() => {
+                Some("a vacuum between gases has no place on its mass lattice")
+            }
+            Self::Lagrangian(_) => None,
+        };
+        match problem {
+            None => Ok(()),
+            Some(problem) => Err(InvalidOptions::Uncovered {
+                method: self.name(),
+                scene: scene.name.clone(),
+                problem,
+            }),
         }
     }
 
-    /// Runs the scene from its start to its end time with `particles` particles or cells.
+    /// Runs the scene from its start to its end time with `particles` particles or cells in its domain.
     ///
     /// # Errors
     /// [`InvalidOptions`], when the run cannot start. A run that breaks down is no error: see
     /// [`Run::failure`].
-    pub fn run(&self, scene: &dyn Scene, particles: usize) -> Result<Run, InvalidOptions> {
-        match self {
-            Self::FiniteVolume(options) => finite_volume::run(scene, particles, options),
-            Self::AdaptiveSph(options) => adaptive_sph::run(scene, particles, options),
-            Self::Lagrangian(options) => match options.flux {
-                Flux::Exact => lagrangian(scene, particles, options, Exact),
-                Flux::Rusanov => lagrangian(scene, particles, options, Rusanov),
-                Flux::ModifiedRoe(roe) => lagrangian(scene, particles, options, roe),
-            },
+    pub fn run(&self, scene: &Scene, particles: usize) -> Result<Run, InvalidOptions> {
+        self.run_with(scene, particles, |_| ControlFlow::Continue(()))
+    }
+
+    /// [`run`](Self::run); after every step `observe(time)` may end it.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_with(
+        &self,
+        scene: &Scene,
+        particles: usize,
+        mut observe: impl FnMut(f64) -> ControlFlow<()> + Send,
+    ) -> Result<Run, InvalidOptions> {
+        let Start { mut evolution, waiting, max_steps } = self.start(scene, particles)?;
+        let limits = Limits { steps: max_steps };
+        // Inside the pool a small parallel loop costs no hand-over between threads.
+        let mut run = rayon::scope(|_| {
+            Run::of(&mut *evolution, waiting, scene.end_time, limits, &mut observe)
+        });
+        run.warnings.extend(self.unresolved(scene, particles));
+        Ok(run)
+    }
+
+    /// Whether a run can start: options, physics, size.
+    ///
+    /// # Errors
+    /// [`InvalidOptions`] names what is wrong.
+    pub fn check(&self, scene: &Scene, particles: usize) -> Result<(), InvalidOptions> {
+        self.covers(scene)?;
+        let least = match self {
+            Self::Lagrangian(options) => options.check()?,
+            Self::FiniteVolume(options) => options.check()?,
+            Self::Particles(options) => options.check()?,
+        };
+        if particles < least {
+            return Err(InvalidOptions::Particles { particles, least });
         }
+        let needed = match self {
+            Self::FiniteVolume(_) => particles as f64,
+            Self::Lagrangian(_) => {
+                particles as f64 * (1.0 + scene.inflow().iter().sum::<f64>() / scene.mass())
+            }
+            Self::Particles(_) => scene.particles_with_ends(particles),
+        };
+        if needed > MOST_PARTICLES as f64 {
+            let what = "particles, those that flow in or matter beyond the ends included";
+            return Err(InvalidOptions::TooMuch { what, needed, most: MOST_PARTICLES });
+        }
+        Ok(())
+    }
+
+    /// The gas at the start.
+    pub(crate) fn start(&self, scene: &Scene, particles: usize) -> Result<Start, InvalidOptions> {
+        self.check(scene, particles)?;
+        let mut start = match self {
+            Self::FiniteVolume(options) => Start {
+                evolution: Box::new(Grid::new(scene, particles, options.cfl)),
+                waiting: [0; 2],
+                max_steps: options.max_steps,
+            },
+            Self::Particles(options) => particles::start(scene, particles, options)?,
+            Self::Lagrangian(options) => match options.flux {
+                Flux::Exact => lagrangian(scene, particles, options, Exact)?,
+                Flux::Rusanov => lagrangian(scene, particles, options, Rusanov)?,
+                Flux::ModifiedRoe(roe) => lagrangian(scene, particles, options, roe)?,
+            },
+        };
+        // A first step that is no step is told by the march, as a failure.
+        if let Ok(step) = start.evolution.time_step() {
+            let needed = scene.end_time / step;
+            let most = start.max_steps.max(MOST_STEPS);
+            if needed.is_finite() && needed > most as f64 {
+                let what = "steps of the size of the first";
+                return Err(InvalidOptions::TooMuch { what, needed, most });
+            }
+        }
+        Ok(start)
+    }
+
+    /// Says which gas holds less than a particle's mass, and how many particles would resolve it.
+    fn unresolved(&self, scene: &Scene, particles: usize) -> Option<String> {
+        if matches!(self, Self::FiniteVolume(_)) {
+            return None;
+        }
+        let total = scene.mass();
+        let least = scene.layer_masses().into_iter().fold(f64::INFINITY, f64::min);
+        let held = least / total * particles as f64;
+        (held < 1.0).then(|| {
+            format!(
+                "a layer holds {:.2e} of the mass, {held:.2} of a particle's: it is not resolved; \
+                 --particles {} gives it ten",
+                least / total,
+                (10.0 * total / least).ceil()
+            )
+        })
     }
 }
 
 /// One instance of the loop per flux, so that the flux is inlined.
 fn lagrangian(
-    scene: &dyn Scene,
+    scene: &Scene,
     particles: usize,
     options: &LagrangianOptions,
-    flux: impl crate::lagrangian::LagrangianFlux + Send,
-) -> Result<Run, InvalidOptions> {
+    flux: impl LagrangianFlux + Send + 'static,
+) -> Result<Start, InvalidOptions> {
     let scheme = LagrangianScheme::new(scene, particles, options, flux)?;
-    Ok(scheme.run(scene.end_time(), options.max_steps))
+    let (waiting, max_steps) = (scheme.waiting(), options.max_steps);
+    Ok(Start { evolution: Box::new(scheme), waiting, max_steps })
 }

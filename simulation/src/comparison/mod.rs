@@ -47,14 +47,16 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares inside the domain of the scene.
-    pub fn new(scene: &dyn Scene, run: &Run) -> Self {
-        Self::inside(scene, run, scene.domain())
+    /// Compares inside the window of the scene; `None` if it has no exact solution.
+    ///
+    /// The solution is that without ends: see [`Scene::holds_until`].
+    pub fn new(scene: &Scene, run: &Run) -> Option<Self> {
+        Self::inside(scene, run, scene.window)
     }
 
     /// Compares inside a window of one's own.
-    pub fn inside(scene: &dyn Scene, run: &Run, window: [f64; 2]) -> Self {
-        let (profile, gas) = (&run.profile, scene.gas());
+    pub fn inside(scene: &Scene, run: &Run, window: [f64; 2]) -> Option<Self> {
+        let (profile, material) = (&run.profile, scene.material);
         let indices = profile.inside(window);
         let x: Vec<f64> = indices.iter().map(|&i| profile.x[i]).collect();
         let found = Columns {
@@ -63,21 +65,22 @@ impl Comparison {
             pressure: &profile.pressure,
             energy: &profile.energy,
         }
-        .map(|column| indices.iter().map(|&i| column[i]).collect::<Vec<f64>>());
-        let states: Vec<_> = x.iter().map(|&x| scene.exact(x, run.time)).collect();
+        .map(|column| {
+            let value = |&i: &usize| column.get(i).copied().unwrap_or(f64::NAN);
+            indices.iter().map(value).collect::<Vec<f64>>()
+        });
+        scene.exact(window[0], run.time)?;
+        let states: Vec<_> = x.iter().filter_map(|&x| scene.exact(x, run.time)).collect();
         let exact = Columns {
             density: states.iter().map(|state| state.density()).collect::<Vec<f64>>(),
             velocity: states.iter().map(|state| state.velocity()).collect(),
             pressure: states.iter().map(|state| state.pressure()).collect(),
             energy: states
                 .iter()
-                .map(|state| gas.internal_energy(state.density(), state.pressure()))
+                .map(|state| material.internal_energy(state).unwrap_or(f64::NAN))
                 .collect(),
         };
-        let fastest = states
-            .iter()
-            .map(|state| gas.sound_speed(state.density(), state.pressure()))
-            .fold(0.0, f64::max);
+        let fastest = states.iter().map(|state| material.sound_speed(state)).fold(0.0, f64::max);
         let extent = extent(scene, run.time, window);
         let scale = Columns {
             density: scale(extent.density, 0.0),
@@ -86,7 +89,7 @@ impl Comparison {
             energy: scale(extent.energy, 0.0),
         };
         let waves = waves::positions(scene, run.time, &x, &found);
-        Self {
+        Some(Self {
             inside: indices.len(),
             outside: profile.len() - indices.len(),
             order_preserved: profile.order_preserved(),
@@ -97,28 +100,29 @@ impl Comparison {
                 variation(found) - variation(exact)
             })
             .over(&scale),
-            spacing_mismatch: run
-                .particle_mass
-                .and_then(|mass| spacing_mismatch(&run.profile, mass, window)),
+            spacing_mismatch: spacing_mismatch(&run.profile, window),
             waves,
             contact_width: waves::contact_width(scene, run.time, &x, &found.density),
             glitch: waves::glitch(scene, run.time, &x, &found.velocity),
-        }
+        })
     }
 }
 
+/// The mean error where the exact value is a number: a vacuum has no energy.
 fn mean_error(found: &[f64], exact: &[f64]) -> f64 {
-    found.iter().zip(exact).map(|(a, b)| (a - b).abs()).sum::<f64>() / found.len() as f64
+    let errors = found.iter().zip(exact).filter(|(_, exact)| !exact.is_nan());
+    let (sum, count) = errors.fold((0.0, 0.0), |(sum, n), (a, b)| (sum + (a - b).abs(), n + 1.0));
+    sum / count
 }
 
 /// The mismatch of largest magnitude among the neighbours that are both in the window.
-fn spacing_mismatch(profile: &Profile, mass: f64, [from, to]: [f64; 2]) -> Option<f64> {
+fn spacing_mismatch(profile: &Profile, [from, to]: [f64; 2]) -> Option<f64> {
     profile
         .x
         .windows(2)
-        .zip(profile.density.windows(2))
+        .zip(profile.density.windows(2).zip(profile.mass.windows(2)))
         .filter(|(x, _)| x.iter().all(|&x| x >= from && x <= to))
-        .map(|(x, rho)| (x[1] - x[0]) / (0.5 * mass * (rho[0].recip() + rho[1].recip())) - 1.0)
+        .map(|(x, (rho, mass))| (x[1] - x[0]) / (0.5 * (mass[0] / rho[0] + mass[1] / rho[1])) - 1.0)
         .max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
@@ -127,7 +131,7 @@ const SAMPLES: usize = 4000;
 
 /// The smallest and largest values of the exact solution in the window. A run may have no particle where
 /// they are taken.
-fn extent(scene: &dyn Scene, time: f64, [from, to]: [f64; 2]) -> Columns<(f64, f64)> {
+fn extent(scene: &Scene, time: f64, [from, to]: [f64; 2]) -> Columns<(f64, f64)> {
     let none = (f64::INFINITY, -f64::INFINITY);
     let mut extent = Columns { density: none, velocity: none, pressure: none, energy: none };
     let widen = |(low, high): &mut (f64, f64), value: f64| {
@@ -135,12 +139,15 @@ fn extent(scene: &dyn Scene, time: f64, [from, to]: [f64; 2]) -> Columns<(f64, f
         *high = high.max(value);
     };
     for i in 0..=SAMPLES {
-        let state = scene.exact(from + (to - from) * (i as f64 / SAMPLES as f64), time);
+        let x = from + (to - from) * (i as f64 / SAMPLES as f64);
+        let Some(state) = scene.exact(x, time) else { continue };
         let (density, pressure) = (state.density(), state.pressure());
         widen(&mut extent.density, density);
         widen(&mut extent.velocity, state.velocity());
         widen(&mut extent.pressure, pressure);
-        widen(&mut extent.energy, scene.gas().internal_energy(density, pressure));
+        if let Some(energy) = scene.material.internal_energy(&state) {
+            widen(&mut extent.energy, energy);
+        }
     }
     extent
 }

@@ -5,12 +5,12 @@ use super::{LagrangianOptions, LagrangianScheme, LagrangianState};
 use crate::boundary::Boundary;
 use crate::riemann::{IdealGas, State};
 use crate::run::{InvalidOptions, Reason};
-use crate::scene::Scene;
+use crate::scene::MassLattice;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// Why there is no measurement.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoMeasurement {
     /// The scheme cannot start.
     #[error(transparent)]
@@ -62,75 +62,6 @@ impl Characteristics {
     }
 }
 
-/// A uniform flow with a change of each particle.
-struct Disturbed {
-    flow: UniformFlow,
-    states: Vec<State>,
-}
-
-impl Disturbed {
-    /// `strengths(i)` are the characteristic variables of particle `i`, in units of the specific volume.
-    fn new(flow: &UniformFlow, strengths: impl Fn(usize) -> [f64; 3]) -> Self {
-        let characteristics = flow.characteristics();
-        let base = characteristics.base;
-        let states = (0..flow.particles).map(|i| {
-            let change = characteristics.change(strengths(i).map(|a| a * base.volume));
-            let [volume, velocity, energy] = [0, 1, 2].map(|c| base.conserved()[c] + change[c]);
-            let state = LagrangianState::from_conserved(flow.gas, [volume, velocity, energy]);
-            State::trusted(state.density, state.velocity, state.pressure)
-        });
-        Self { flow: *flow, states: states.collect() }
-    }
-}
-
-impl Scene for Disturbed {
-    fn name(&self) -> &str {
-        "uniform-flow"
-    }
-
-    fn source(&self) -> &str {
-        "-"
-    }
-
-    fn gas(&self) -> IdealGas {
-        self.flow.gas
-    }
-
-    fn domain(&self) -> [f64; 2] {
-        [0.0, 1.0]
-    }
-
-    fn boundary(&self) -> Boundary {
-        Boundary::Periodic
-    }
-
-    fn end_time(&self) -> f64 {
-        1.0
-    }
-
-    fn particles(&self) -> usize {
-        self.flow.particles
-    }
-
-    fn mass(&self) -> f64 {
-        self.flow.state.density()
-    }
-
-    fn position_at_mass(&self, mass: f64) -> f64 {
-        mass / self.flow.state.density()
-    }
-
-    fn average(&self, from: f64, to: f64) -> State {
-        // The particle whose place this is.
-        let index = (0.5 * (from + to) * self.states.len() as f64) as usize;
-        self.states[index.min(self.states.len() - 1)]
-    }
-
-    fn exact(&self, _: f64, _: f64) -> State {
-        self.flow.state
-    }
-}
-
 /// The disturbance of a particle in units of its specific volume whose response is measured. The fluxes
 /// have terms like `ε|ε|` (the larger of two speeds), so that a central difference is off by about ε, and
 /// the round-off of a step counts as 1e-16/ε.
@@ -152,8 +83,20 @@ impl UniformFlow {
         options: &LagrangianOptions,
         strengths: impl Fn(usize) -> [f64; 3],
     ) -> Result<LagrangianScheme<super::flux::Flux>, InvalidOptions> {
-        let scene = Disturbed::new(self, strengths);
-        LagrangianScheme::new(&scene, self.particles, options, options.flux)
+        let characteristics = self.characteristics();
+        let base = characteristics.base;
+        let spacing = self.state.density() / self.particles as f64;
+        let states = (0..self.particles).map(|i| {
+            let change = characteristics.change(strengths(i).map(|a| a * base.volume));
+            let [volume, velocity, energy] = [0, 1, 2].map(|c| base.conserved()[c] + change[c]);
+            let state = LagrangianState::from_conserved(self.gas, [volume, velocity, energy]);
+            State::trusted(state.density, state.velocity, state.pressure)
+        });
+        let x = (0..self.particles).map(|i| (i as f64 + 0.5) / self.particles as f64);
+        let lattice =
+            MassLattice { spacing, states: states.collect(), x: x.collect(), waiting: [0; 2] };
+        let boundary = [Boundary::Periodic; 2];
+        LagrangianScheme::from_lattice(self.gas, boundary, lattice, options, options.flux)
     }
 
     /// The characteristic variables of all particles in units of the specific volume.

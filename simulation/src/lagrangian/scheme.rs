@@ -3,15 +3,14 @@
 use super::flux::{ContactViscosity, Flux, LagrangianFlux};
 use super::{LagrangianState, Lattice};
 use crate::boundary::Boundary;
-use crate::march::{Evolution, Limits, march};
+use crate::march::Evolution;
 use crate::riemann::IdealGas;
 use crate::run::{
-    Conservation, InvalidOptions, Profile, Reason, Run, Totals, not_negative, positive,
+    Counters, Flowing, InvalidOptions, Profile, Reason, Totals, not_negative, positive,
 };
 use crate::scene::{MassLattice, Scene};
 use courant_analysis::kernel::Kernel;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 
 /// Which state the time step follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -57,6 +56,20 @@ impl LagrangianOptions {
     }
 }
 
+impl LagrangianOptions {
+    /// Whether the options make sense; the least number of particles.
+    pub(crate) fn check(&self) -> Result<usize, InvalidOptions> {
+        let lattice = Lattice::new(self.kernel, self.ratio)?;
+        positive("cfl", self.cfl)?;
+        if let Flux::ModifiedRoe(roe) = self.flux {
+            let (ContactViscosity::Printed(alpha) | ContactViscosity::MassFlux(alpha)) =
+                roe.contact;
+            not_negative("contact viscosity", alpha)?;
+        }
+        Ok(2 * lattice.reach() + 1)
+    }
+}
+
 /// Below this many particles a loop is not worth sharing between threads.
 const CHUNK: usize = 1024;
 
@@ -75,7 +88,7 @@ const CHUNK: usize = 1024;
 #[derive(Debug, Clone)]
 pub struct LagrangianScheme<F> {
     gas: IdealGas,
-    boundary: Boundary,
+    boundary: [Boundary; 2],
     flux: F,
     lattice: Lattice,
     spacing: f64,
@@ -91,8 +104,8 @@ pub struct LagrangianScheme<F> {
     /// `m`, for `m < N + k`.
     fluxes: Vec<[f64; 3]>,
     /// What came in through the ends, in units of the totals.
-    inflow: Totals,
-    pairs: u64,
+    inflow: [f64; 3],
+    counters: Counters,
 }
 
 impl<F: LagrangianFlux> LagrangianScheme<F> {
@@ -113,25 +126,30 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     /// [`InvalidOptions`], when `options` has a ratio or Courant number that does not make
     /// sense or there are fewer particles than `2·reach + 1`.
     pub fn new(
-        scene: &dyn Scene,
+        scene: &Scene,
         particles: usize,
         options: &LagrangianOptions,
         flux: F,
     ) -> Result<Self, InvalidOptions> {
-        let lattice = Lattice::new(options.kernel, options.ratio)?;
-        positive("cfl", options.cfl)?;
-        if let Flux::ModifiedRoe(roe) = options.flux {
-            let (ContactViscosity::Printed(alpha) | ContactViscosity::MassFlux(alpha)) =
-                roe.contact;
-            not_negative("contact viscosity", alpha)?;
-        }
-        let reach = lattice.reach();
-        let least = 2 * reach + 1;
+        let least = options.check()?;
         if particles < least {
             return Err(InvalidOptions::Particles { particles, least });
         }
-        let gas = scene.gas();
-        let start = MassLattice::new(scene, particles);
+        let gas = scene.material.ideal().expect("the scene is covered");
+        let start = MassLattice::new(scene, gas, particles);
+        Self::from_lattice(gas, scene.ends_of_gas(), start, options, flux)
+    }
+
+    /// From the particles themselves.
+    pub(super) fn from_lattice(
+        gas: IdealGas,
+        boundary: [Boundary; 2],
+        start: MassLattice,
+        options: &LagrangianOptions,
+        flux: F,
+    ) -> Result<Self, InvalidOptions> {
+        let lattice = Lattice::new(options.kernel, options.ratio)?;
+        let reach = lattice.reach();
         let count = start.x.len();
         let state = |i: usize| LagrangianState::from_state(gas, &start.states[i]);
         let mut states = vec![state(0); count + 2 * reach];
@@ -141,7 +159,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         let fluxes = vec![[0.0; 3]; (count + reach) * lattice.offsets().len()];
         let mut scheme = Self {
             gas,
-            boundary: scene.boundary(),
+            boundary,
             flux,
             lattice,
             spacing: start.spacing,
@@ -152,8 +170,8 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             x: start.x,
             waiting: start.waiting,
             fluxes,
-            inflow: Totals::default(),
-            pairs: 0,
+            inflow: [0.0; 3],
+            counters: Counters::default(),
         };
         if options.step == StepRule::Initial {
             scheme.fixed_step = Some(scheme.step_for(|state, _| state.sound));
@@ -177,9 +195,9 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         self.spacing
     }
 
-    /// The number of fluxes computed so far.
-    pub fn pairs(&self) -> u64 {
-        self.pairs
+    /// How many particles stand beyond the left and the right end of the domain at the start.
+    pub fn waiting(&self) -> [usize; 2] {
+        self.waiting
     }
 
     /// `cfl Δξ / max W` of the current state: see [`StepRule::Current`].
@@ -235,22 +253,19 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
 
     fn fill_ghosts(&mut self) {
         let (reach, total) = (self.lattice.reach(), self.states.len());
-        match self.boundary {
-            Boundary::Mirror => {
-                for k in 0..reach {
-                    self.states[reach - 1 - k] = self.states[reach + k].mirrored();
-                    self.states[total - reach + k] = self.states[total - reach - 1 - k].mirrored();
-                }
-            }
-            // The scenes of this method have no open ends.
-            Boundary::Transmissive | Boundary::Open => {
-                let (first, last) = (self.states[reach], self.states[total - reach - 1]);
-                self.states[..reach].fill(first);
-                self.states[total - reach..].fill(last);
-            }
-            Boundary::Periodic => {
-                self.states.copy_within(total - 2 * reach..total - reach, 0);
-                self.states.copy_within(reach..2 * reach, total - reach);
+        for (end, boundary) in self.boundary.into_iter().enumerate() {
+            for k in 0..reach {
+                // The k-th ghost from the end, and the particle as far inside.
+                let (ghost, inside, other) = match end {
+                    0 => (reach - 1 - k, reach + k, total - reach - 1 - k),
+                    _ => (total - reach + k, total - reach - 1 - k, reach + k),
+                };
+                let edge = if end == 0 { reach } else { total - reach - 1 };
+                self.states[ghost] = match boundary {
+                    Boundary::Transmissive | Boundary::Open => self.states[edge],
+                    Boundary::Mirror => self.states[inside].mirrored(),
+                    Boundary::Periodic => self.states[other],
+                };
             }
         }
     }
@@ -259,17 +274,25 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         let (reach, count) = (self.lattice.reach(), self.x.len());
         let (gas, flux, states) = (self.gas, &self.flux, &self.states);
         let offsets = self.lattice.offsets();
+        // Nothing presses on a free surface, and the gas goes on as it is.
+        let open = self.boundary.map(|end| end == Boundary::Open);
         // All offsets of a particle at once, while its neighbours are near in the cache.
         self.fluxes.par_chunks_mut(offsets.len()).enumerate().with_min_len(CHUNK).for_each(
             |(m, row)| {
                 for (place, &(k, _)) in row.iter_mut().zip(offsets) {
-                    if m < count + k {
-                        *place = flux.flux(gas, &states[reach + m - k], &states[reach + m]);
+                    let (left, right) = (&states[reach + m - k], &states[reach + m]);
+                    if m < k && open[0] {
+                        *place = [-right.velocity, 0.0, 0.0];
+                    } else if m >= count && m < count + k && open[1] {
+                        *place = [-left.velocity, 0.0, 0.0];
+                    } else if m < count + k {
+                        *place = flux.flux(gas, left, right);
                     }
                 }
             },
         );
-        self.pairs += offsets.iter().map(|&(k, _)| (count + k) as u64).sum::<u64>();
+        self.counters.evaluations += 1;
+        self.counters.interactions += offsets.iter().map(|&(k, _)| (count + k) as u64).sum::<u64>();
     }
 
     fn gather(&mut self, step: f64) -> Result<(), Reason> {
@@ -311,15 +334,26 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
                 let entering = &fluxes[m * width + column];
                 let leaving = &fluxes[(count + m) * width + column];
                 for c in 0..3 {
-                    self.inflow.0[c] += 2.0 * step * weight * (entering[c] - leaving[c]);
+                    self.inflow[c] += 2.0 * step * weight * (entering[c] - leaving[c]);
                 }
             }
         }
         Ok(())
     }
+}
 
+impl<F: LagrangianFlux> Flowing for LagrangianScheme<F> {
     fn totals(&self) -> Totals {
-        Totals::sum(self.states().iter().map(|state| state.conserved().map(|u| u * self.spacing)))
+        let [mut volume, mut momentum, mut energy] = self.inflow.map(|inflow| -inflow);
+        let (mut motion, spacing) = (0.0, self.spacing);
+        for state in self.states() {
+            volume += spacing * state.volume;
+            momentum += spacing * state.velocity;
+            energy += spacing * state.energy;
+            motion += spacing * (state.velocity.abs() + state.sound * state.volume);
+        }
+        let mass = spacing * self.x.len() as f64;
+        Totals { mass, momentum, motion, energy: Some(energy), volume: Some(volume) }
     }
 
     fn profile(&self) -> Profile {
@@ -330,38 +364,17 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             velocity: column(|state| state.velocity),
             pressure: column(|state| state.pressure),
             energy: column(LagrangianState::internal_energy),
+            mass: vec![self.spacing; self.x.len()],
+            ..Profile::default()
         }
     }
 
-    /// Runs to `end_time`.
-    pub fn run(mut self, end_time: f64, max_steps: usize) -> Run
-    where
-        F: Send,
-    {
-        let start = self.totals();
-        let motion: f64 = self
-            .states()
-            .iter()
-            .map(|state| self.spacing * (state.velocity.abs() + state.sound * state.volume))
-            .sum();
-        let scale = [start.0[0], motion, start.0[2]];
-        // Inside the pool a small parallel loop costs no hand-over between threads.
-        let limits = Limits { steps: max_steps };
-        let end =
-            rayon::scope(|_| march(&mut self, end_time, limits, |_, _| ControlFlow::Continue(())));
-        let [volume, momentum, energy] = self.totals().drift(start, self.inflow, scale);
-        let conservation = Conservation { mass: 0.0, momentum, energy, volume: Some(volume) };
-        Run {
-            profile: self.profile(),
-            steps: end.steps,
-            rejected: end.rejected,
-            time: end.time,
-            failure: end.failure,
-            conservation,
-            pairs: self.pairs,
-            waiting: self.waiting,
-            particle_mass: Some(self.spacing),
-        }
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn out_of_order(&self) -> usize {
+        self.x.windows(2).filter(|pair| pair[0] >= pair[1]).count()
     }
 }
 

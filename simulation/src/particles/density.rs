@@ -17,6 +17,18 @@ pub enum Smoothing {
         /// Newton's iteration ends when `h` changes by less than this part of itself.
         tolerance: f64,
     },
+    /// Adaptive density kernel estimation (Sigalotti et al. 2006): `h_i = k (g/ρ̂_i)^ε h₀` from a pilot density `ρ̂` with one
+    /// smoothing length `h₀`, `log g` the mean of `log ρ̂`; densities with the mean length of each pair.
+    Estimated {
+        /// `h₀`.
+        pilot: f64,
+        /// `k`.
+        scale: f64,
+        /// `ε`.
+        sensitivity: f64,
+        /// The particles of the mean, from the first to before the second.
+        counted: [usize; 2],
+    },
 }
 
 impl Smoothing {
@@ -30,7 +42,7 @@ impl Smoothing {
     fn margin(self) -> f64 {
         match self {
             // A unit in the last place, for pairs exactly at the edge of the support.
-            Self::Constant => 1.0 + 1e-12,
+            Self::Constant | Self::Estimated { .. } => 1.0 + 1e-12,
             Self::Adaptive { .. } => 1.1,
         }
     }
@@ -110,18 +122,43 @@ impl<const D: usize> DensitySum<D> {
         density: &mut [f64],
         neighbours: &mut Neighbours<D>,
     ) -> Result<(), Reason> {
+        if let Smoothing::Estimated { pilot, scale, sensitivity, counted } = self.rule {
+            smoothing.fill(pilot);
+            self.search_within(domain, positions, smoothing, self.rule.margin(), neighbours);
+            self.sum(masses, smoothing, density, 1.0, neighbours)?;
+            let inside = &density[counted[0]..counted[1]];
+            let mean = inside.iter().map(|rho| rho.ln()).sum::<f64>() / inside.len() as f64;
+            for (h, rho) in smoothing.iter_mut().zip(&*density) {
+                *h = scale * pilot * (sensitivity * (mean - rho.ln())).exp();
+            }
+            self.search_within(domain, positions, smoothing, self.rule.margin(), neighbours);
+            self.sum(masses, smoothing, density, 1.0, neighbours)?;
+            return Ok(());
+        }
         let mut margin = self.rule.margin();
         for _ in 0..MOST_SEARCHES {
-            let range = self.kernel.support() * self.reach * margin;
-            self.radii.clear();
-            self.radii.extend(smoothing.iter().map(|h| h * range));
-            neighbours.search(domain, positions, &self.radii);
+            self.search_within(domain, positions, smoothing, margin, neighbours);
             if !self.sum(masses, smoothing, density, margin, neighbours)? {
                 return Ok(());
             }
             margin = 1.5;
         }
         Err(Reason::SmoothingLength { particle: 0 })
+    }
+
+    /// Finds the pairs within a margin of the smoothing lengths.
+    fn search_within(
+        &mut self,
+        domain: &super::domain::Domain<D>,
+        positions: &[Vector<D>],
+        smoothing: &[f64],
+        margin: f64,
+        neighbours: &mut Neighbours<D>,
+    ) {
+        let range = self.kernel.support() * self.reach * margin;
+        self.radii.clear();
+        self.radii.extend(smoothing.iter().map(|h| h * range));
+        neighbours.search(domain, positions, &self.radii);
     }
 
     /// One pass over all particles; whether some need pairs from further away.
@@ -152,6 +189,15 @@ impl<const D: usize> DensitySum<D> {
                 let outcome = match rule {
                     Smoothing::Constant => {
                         Outcome::Done { density: sums(kernel, masses, particle, near, h).0, h }
+                    }
+                    Smoothing::Estimated { .. } => {
+                        let term = |neighbour: &Neighbour| {
+                            let other = neighbour.other as usize;
+                            masses[other]
+                                * kernel.value(neighbour.distance, 0.5 * (h + lengths[other]))
+                        };
+                        let own = masses[particle] * kernel.value(0.0, h);
+                        Outcome::Done { density: near.iter().map(term).fold(own, |a, b| a + b), h }
                     }
                     Smoothing::Adaptive { eta, tolerance } => {
                         let sums = |h: f64| sums(kernel, masses, particle, near, h);

@@ -57,6 +57,8 @@ pub struct ParticleEvolution<const D: usize, G: Gas, F> {
     stepping: Stepping<D, G::Thermal>,
     /// Whether the fields of the system are those of its state.
     current: bool,
+    /// The step from here, once it is known.
+    wanted: Option<f64>,
     /// The state before the step.
     before: Particles<D, G::Thermal>,
 }
@@ -85,7 +87,7 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
         stepping: Stepping<D, G::Thermal>,
     ) -> Self {
         let before = system.particles.clone();
-        Self { system, force, courant, stepping, current: false, before }
+        Self { system, force, courant, stepping, current: false, wanted: None, before }
     }
 
     /// With the heating by another velocity than the time-centred one.
@@ -96,6 +98,14 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
             Stepping::Blocks(stepper) => stepper.work = work,
         }
         self
+    }
+
+    /// Which velocity the heating uses.
+    pub fn work(&self) -> Work {
+        match &self.stepping {
+            Stepping::Global(stepper) => stepper.work,
+            Stepping::Blocks(stepper) => stepper.work,
+        }
     }
 
     /// The particles; after a step that was taken, with the fields of their state.
@@ -137,17 +147,22 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
 
 impl<const D: usize, G: Gas, F: PairForce> Evolution for ParticleEvolution<D, G, F> {
     fn time_step(&mut self) -> Result<f64, Reason> {
+        if let Some(wanted) = self.wanted {
+            return Ok(wanted);
+        }
         if !self.current {
             self.system.update_fields()?;
             self.current = true;
         }
-        Ok(match &mut self.stepping {
+        let wanted = match &mut self.stepping {
             Stepping::Global(stepper) => {
                 stepper.begin(&mut self.system, &self.force);
                 self.courant * stepper.crossing_time(&self.system)
             }
             Stepping::Blocks(stepper) => stepper.begin(&mut self.system, &self.force),
-        })
+        };
+        self.wanted = Some(wanted);
+        Ok(wanted)
     }
 
     fn advance(&mut self, step: f64) -> Result<(), Reason> {
@@ -157,6 +172,7 @@ impl<const D: usize, G: Gas, F: PairForce> Evolution for ParticleEvolution<D, G,
         before.thermal.clone_from(&now.thermal);
         before.smoothing.clone_from(&now.smoothing);
         let impulse = self.wall_impulse();
+        self.wanted = None;
         self.step(step).inspect_err(|_| {
             std::mem::swap(&mut self.before, &mut self.system.particles);
             self.set_wall_impulse(impulse);

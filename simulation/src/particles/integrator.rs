@@ -32,6 +32,16 @@ pub enum Work {
     TimeCentred,
 }
 
+impl Work {
+    /// The name used on the command line and in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Instantaneous => "published",
+            Self::TimeCentred => "centred",
+        }
+    }
+}
+
 /// Rates kept of a stage.
 #[derive(Debug, Clone)]
 struct Stage<const D: usize, T> {

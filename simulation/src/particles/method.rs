@@ -1,9 +1,11 @@
-//! The six methods of the paper by name, and their options.
+//! The methods of Cha & Whitworth 2003, and adaptive SPH, by name, and their options.
 
 use super::density::Smoothing;
-use super::integrator::{Integrator, NotExplicit, Work, table};
+use super::integrator::{Integrator, Work, table};
 use super::pair_weight::VolumeInterpolation;
 use super::viscous::Viscosity;
+use crate::run::{InvalidOptions, not_negative, positive};
+use crate::scene::MIN_PARTICLES;
 use courant_analysis::kernel::Kernel;
 
 /// A method of Cha & Whitworth 2003.
@@ -21,10 +23,12 @@ pub enum ParticleMethod {
     Sph1,
     /// (6), (7), (8).
     Sph2,
+    /// (4), (5), (8) with adaptive density kernel estimation: the reference of Ferrari et al. 2008.
+    Adke,
 }
 
 impl ParticleMethod {
-    /// All of them.
+    /// The six of the paper.
     pub const ALL: [Self; 6] =
         [Self::Gph1, Self::Gph2, Self::Gph3, Self::Gph4, Self::Sph1, Self::Sph2];
 
@@ -37,12 +41,13 @@ impl ParticleMethod {
             Self::Gph4 => "gph4",
             Self::Sph1 => "sph1",
             Self::Sph2 => "sph2",
+            Self::Adke => "sph-adke",
         }
     }
 
     /// The method of that name.
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.name() == name)
+        Self::ALL.into_iter().chain([Self::Adke]).find(|method| method.name() == name)
     }
 
     /// Where the method comes from.
@@ -54,12 +59,13 @@ impl ParticleMethod {
             Self::Gph4 => "Cha & Whitworth 2003 (15), (16); Inutsuka 2002",
             Self::Sph1 => "Cha & Whitworth 2003 (4), (5), (8)",
             Self::Sph2 => "Cha & Whitworth 2003 (6), (7), (8)",
+            Self::Adke => "Sigalotti et al. 2006; Ferrari et al. 2008, section 3.3",
         }
     }
 
     /// Whether it solves Riemann problems.
     pub fn is_godunov(self) -> bool {
-        !matches!(self, Self::Sph1 | Self::Sph2)
+        !matches!(self, Self::Sph1 | Self::Sph2 | Self::Adke)
     }
 }
 
@@ -97,6 +103,15 @@ pub enum StepSharing {
     },
 }
 
+/// How a smoothing length follows from a pilot density: `h_i = scale (g/ρ̂_i)^sensitivity h₀`, `log g` the mean of `log ρ̂`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KernelEstimation {
+    /// `k`.
+    pub scale: f64,
+    /// `ε`, between 0 (one smoothing length for all) and 1.
+    pub sensitivity: f64,
+}
+
 /// A method with its options.
 ///
 /// The paper leaves the kernel, `η` and the Courant number of section 5 open. Chosen here:
@@ -104,14 +119,19 @@ pub enum StepSharing {
 ///   too high, which hides a sound wave of half a per cent) and which is the least dissipative choice;
 /// - for case 4 the Gaussian with `η = 1.05`, so that no lattice point sits on the cut at `3h`;
 /// - a step of half the time `h/(c_L + c_R + closing speed)`.
+///
+/// Ferrari et al. 2008 do not give the choices of their adaptive SPH either: cubic spline, `h₀` twice the largest
+/// spacing, `k = 0.7`, `ε = 1/2`, the midpoint rule, a step of 0.3 crossing times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MethodOptions {
     /// The method.
     pub method: ParticleMethod,
     /// The kernel.
     pub kernel: Kernel,
-    /// Smoothing length over particle spacing.
+    /// Smoothing length over particle spacing; with kernel estimation, `h₀` over the largest spacing at the start.
     pub eta: f64,
+    /// Of adaptive SPH.
+    pub estimation: Option<KernelEstimation>,
     /// Step over the shortest crossing time `h_i/s_i`, `s` the signal velocity.
     pub courant: f64,
     /// The integrator.
@@ -128,7 +148,7 @@ pub struct MethodOptions {
     /// Global or block steps.
     pub sharing: StepSharing,
     /// Steps after which a run is given up.
-    pub max_steps: u64,
+    pub max_steps: usize,
 }
 
 impl MethodOptions {
@@ -136,15 +156,22 @@ impl MethodOptions {
     pub fn new(method: ParticleMethod) -> Self {
         let (kernel, eta) = match method {
             ParticleMethod::Gph4 => (Kernel::Gaussian, 1.05),
+            ParticleMethod::Adke => (Kernel::CubicSpline, 2.0),
             _ => (Kernel::CubicSpline, 1.0),
         };
-        let integrator = if method.is_godunov() { "centred-euler" } else { "rk2-heun" };
+        let adaptive = method == ParticleMethod::Adke;
+        let integrator = match method {
+            ParticleMethod::Adke => "rk2-midpoint",
+            ParticleMethod::Sph1 | ParticleMethod::Sph2 => "rk2-heun",
+            _ => "centred-euler",
+        };
         let integrator = Integrator::named(integrator).expect("it is in the catalogue");
         Self {
             method,
             kernel,
             eta,
-            courant: 0.5,
+            estimation: adaptive.then_some(KernelEstimation { scale: 0.7, sensitivity: 0.5 }),
+            courant: if adaptive { 0.3 } else { 0.5 },
             integrator,
             work: if method.is_godunov() { Work::TimeCentred } else { Work::Instantaneous },
             solver: SolverChoice::Published,
@@ -155,61 +182,51 @@ impl MethodOptions {
         }
     }
 
-    pub(super) fn smoothing(&self, constant: bool) -> Smoothing {
-        if constant { Smoothing::Constant } else { Smoothing::adaptive(self.eta) }
-    }
-
-    /// Whether a run can start.
-    ///
-    /// # Errors
-    /// [`InvalidMethodOptions`] names the option.
-    pub fn check(&self) -> Result<(), InvalidMethodOptions> {
-        for (name, value) in [("eta", self.eta), ("courant", self.courant)] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(InvalidMethodOptions::NotPositive { name, value });
+    /// The rule for particles at positions with masses, `beyond` of which stand outside the ends of the domain.
+    pub(super) fn smoothing(
+        &self,
+        constant: bool,
+        placed: &[(f64, f64)],
+        beyond: [usize; 2],
+    ) -> Smoothing {
+        match self.estimation {
+            _ if constant => Smoothing::Constant,
+            None => Smoothing::adaptive(self.eta),
+            Some(KernelEstimation { scale, sensitivity }) => {
+                let gaps = placed.windows(2).map(|pair| pair[1].0 - pair[0].0);
+                let pilot = self.eta * gaps.fold(0.0, f64::max);
+                let counted = [beyond[0], placed.len() - beyond[1]];
+                Smoothing::Estimated { pilot, scale, sensitivity, counted }
             }
         }
+    }
+
+    /// Whether the options make sense; the least number of particles.
+    ///
+    /// # Errors
+    /// [`InvalidOptions`] names the option.
+    pub fn check(&self) -> Result<usize, InvalidOptions> {
+        positive("ratio", self.eta)?;
+        positive("cfl", self.courant)?;
+        not_negative("alpha", self.viscosity.alpha)?;
+        not_negative("beta", self.viscosity.beta)?;
+        if let Some(KernelEstimation { scale, sensitivity }) = self.estimation {
+            positive("scale", scale)?;
+            not_negative("sensitivity", sensitivity)?;
+        }
         if self.method == ParticleMethod::Gph4 && self.kernel != Kernel::Gaussian {
-            return Err(InvalidMethodOptions::Kernel(self.kernel));
+            return Err(InvalidOptions::Kernel(self.kernel));
         }
         let table = table(self.integrator)?;
         if let StepSharing::Block { levels } = self.sharing {
             // One evaluation where the step begins, and a drift with the mean velocity.
             if (&table.c[..], &table.position_weights[..]) != (&[0.0], &[0.5]) {
-                return Err(InvalidMethodOptions::BlockIntegrator(&self.integrator.name));
+                return Err(InvalidOptions::BlockIntegrator(&self.integrator.name));
             }
             if levels > 20 {
-                return Err(InvalidMethodOptions::Levels(levels));
+                return Err(InvalidOptions::Levels(levels));
             }
         }
-        Ok(())
+        Ok(MIN_PARTICLES)
     }
-}
-
-/// Options that do not make sense together.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum InvalidMethodOptions {
-    /// A number that must be positive is not, or is not finite.
-    #[error("{name} = {value}: a finite number above 0 is needed")]
-    NotPositive {
-        /// The option.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// The convolution of case 4 is known for the Gaussian.
-    #[error("kernel = {0}: gph4 needs the gaussian")]
-    Kernel(Kernel),
-    /// Particles are not stepped so.
-    #[error(transparent)]
-    Integrator(#[from] NotExplicit),
-    /// Block steps are first order.
-    #[error("integrator = {0}: block steps need centred-euler")]
-    BlockIntegrator(&'static str),
-    /// More levels than counting of steps allows.
-    #[error("levels = {0}: at most 20")]
-    Levels(u32),
-    /// Too few particles.
-    #[error("particles = {0}: at least 10 are needed")]
-    Particles(usize),
 }

@@ -3,10 +3,10 @@
 use super::gas::Gas;
 use super::neighbours::{Block, Pair, for_each_block};
 use super::pair_force::{Exchange, PairEnd, PairForce};
-use super::system::{Counters, ParticleSystem};
+use super::system::ParticleSystem;
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
-use crate::run::Reason;
+use crate::run::{Counters, Reason};
 
 /// Time derivatives, of length N.
 #[derive(Debug, Clone)]

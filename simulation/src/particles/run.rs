@@ -1,53 +1,31 @@
-//! A scene, a method, and what comes of them.
+//! A scene and a method made particles that march.
 
 use super::domain::Domain;
 use super::evolution::ParticleEvolution;
 use super::gas::Gas;
 use super::godunov::Godunov;
-use super::integrator::{Nystrom, table};
-use super::method::{
-    InvalidMethodOptions, MethodOptions, ParticleMethod, SolverChoice, StepSharing,
-};
+use super::integrator::{Nystrom, Work, table};
+use super::method::{MethodOptions, ParticleMethod, SolverChoice, StepSharing};
 use super::pair_force::PairForce;
 use super::pair_weight::{Convolution, OwnKernels, Product, SumOfSquares};
-use super::result::{Drift, Errors, ParticleRun, Penetration};
-use super::scene::{Material, ParticleScene};
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use super::thermal::ThermalState;
 use super::viscous::{PressureForm, Smoothed};
-use crate::march::{Limits, march};
+use crate::method::Start;
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{ExactIdeal, StarSolver, Stopping, VanLeer};
-use crate::run::Profile;
-use std::ops::ControlFlow;
+use crate::run::{Counters, Flowing, InvalidOptions, Profile, Promise, Totals};
+use crate::scene::{Material, Scene};
 
-/// Runs a scene to its end time with `particles` particles (about that many: layers get whole ones).
-///
-/// ```
-/// use courant_simulation::particles::{MethodOptions, ParticleMethod, ParticleScene, run_particles};
-/// let scene = ParticleScene::named("isothermal-tube").expect("it is in the list");
-/// let run = run_particles(&scene, 100, &MethodOptions::new(ParticleMethod::Gph3))?;
-/// assert!(run.completed() && run.time == 0.17);
-/// assert!(run.drift.momentum < 1e-13 && run.drift.energy.is_none());
-/// assert_eq!(run.penetration.largest, 0);
-/// # Ok::<(), courant_simulation::particles::InvalidMethodOptions>(())
-/// ```
-///
-/// # Errors
-/// [`InvalidMethodOptions`] when the run cannot start. A run that breaks down is no error: see
-/// [`ParticleRun::failure`].
-pub fn run_particles(
-    scene: &ParticleScene,
+/// The particles of a scene at the start: about so many in the domain, for layers get whole ones.
+pub(crate) fn start(
+    scene: &Scene,
     particles: usize,
     options: &MethodOptions,
-) -> Result<ParticleRun, InvalidMethodOptions> {
-    options.check()?;
-    if particles < 10 {
-        return Err(InvalidMethodOptions::Particles(particles));
-    }
+) -> Result<Start, InvalidOptions> {
     let table = table(options.integrator)?;
-    let run = (scene, particles, options, &table);
+    let plan = (scene, particles, options, &table);
     Ok(match scene.material {
         Material::Isothermal(gas) => {
             let expansion = match options.solver {
@@ -55,90 +33,50 @@ pub fn run_particles(
                 SolverChoice::Converged | SolverChoice::Exact => Expansion::Exact,
             };
             let solver = Isothermal { sound_speed: gas.sound_speed, expansion };
-            with_solver(run, gas, solver)
+            with_solver(plan, gas, solver)
         }
         Material::Ideal(gas) => {
             let van_leer = |stopping| VanLeer { gas, stopping };
             match options.solver {
-                SolverChoice::Published => with_solver(run, gas, van_leer(Stopping::Published)),
-                SolverChoice::Converged => with_solver(run, gas, van_leer(Stopping::Converged)),
-                SolverChoice::Exact => with_solver(run, gas, ExactIdeal(gas)),
+                SolverChoice::Published => with_solver(plan, gas, van_leer(Stopping::Published)),
+                SolverChoice::Converged => with_solver(plan, gas, van_leer(Stopping::Converged)),
+                SolverChoice::Exact => with_solver(plan, gas, ExactIdeal(gas)),
             }
         }
     })
 }
 
 /// A scene, how many particles, options, and the table of their integrator.
-type Plan<'a> = (&'a ParticleScene, usize, &'a MethodOptions, &'a Nystrom<f64>);
+type Plan<'a> = (&'a Scene, usize, &'a MethodOptions, &'a Nystrom<f64>);
 
-fn with_solver<G: Gas, S: StarSolver>(plan: Plan<'_>, gas: G, solver: S) -> ParticleRun {
+fn with_solver<G: Gas + 'static, S: StarSolver + Send + 'static>(
+    plan: Plan<'_>,
+    gas: G,
+    solver: S,
+) -> Start {
     let options = plan.2;
     let smoothed = |form| Smoothed { form, viscosity: options.viscosity };
     match options.method {
-        ParticleMethod::Gph1 => evolve(plan, gas, Godunov { weight: SumOfSquares, solver }),
-        ParticleMethod::Gph2 => evolve(plan, gas, Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => evolve(plan, gas, Godunov { weight: OwnKernels, solver }),
+        ParticleMethod::Gph1 => prepare(plan, gas, Godunov { weight: SumOfSquares, solver }),
+        ParticleMethod::Gph2 => prepare(plan, gas, Godunov { weight: Product, solver }),
+        ParticleMethod::Gph3 => prepare(plan, gas, Godunov { weight: OwnKernels, solver }),
         ParticleMethod::Gph4 => {
-            evolve(plan, gas, Godunov { weight: Convolution(options.volume), solver })
+            prepare(plan, gas, Godunov { weight: Convolution(options.volume), solver })
         }
-        ParticleMethod::Sph1 => evolve(plan, gas, smoothed(PressureForm::Sum)),
-        ParticleMethod::Sph2 => evolve(plan, gas, smoothed(PressureForm::Geometric)),
+        ParticleMethod::Sph1 | ParticleMethod::Adke => {
+            prepare(plan, gas, smoothed(PressureForm::Sum))
+        }
+        ParticleMethod::Sph2 => prepare(plan, gas, smoothed(PressureForm::Geometric)),
     }
 }
 
-fn evolve<G: Gas, F: PairForce>(
+fn prepare<G: Gas + 'static, F: PairForce + Send + 'static>(
     (scene, particles, options, table): Plan<'_>,
     gas: G,
     force: F,
-) -> ParticleRun {
-    let system = prepare(scene, particles, options, gas, &force);
-    let start = Totals::of(&system);
-    let mut evolution = match options.sharing {
-        StepSharing::Global => ParticleEvolution::global(system, force, table, options.courant),
-        StepSharing::Block { levels } => {
-            ParticleEvolution::blocks(system, force, levels, options.courant)
-        }
-    }
-    .with_work(options.work);
-    let mut penetration = Penetration::default();
-    let limits = Limits { steps: options.max_steps as usize };
-    let march = march(&mut evolution, scene.end_time, limits, |state, _| {
-        penetration.observe(&state.system().particles.position);
-        ControlFlow::Continue(())
-    });
-    let (system, wall_impulse) = (evolution.system(), evolution.wall_impulse());
-    let end = Totals::of(system);
-    let profile = profile(system);
-    let drift = Drift {
-        mass: ((end.mass - start.mass) / start.mass).abs(),
-        momentum: ((end.momentum - start.momentum - wall_impulse[0]) / start.momentum_scale).abs(),
-        energy: start
-            .energy
-            .zip(end.energy)
-            .map(|(before, after)| ((after - before) / before).abs()),
-    };
-    ParticleRun {
-        errors: Errors::new(scene, &profile, march.time),
-        profile,
-        steps: evolution.substeps().unwrap_or(march.steps as u64),
-        rejected: march.rejected,
-        time: march.time,
-        failure: march.failure,
-        smoothing: system.particles.smoothing.clone(),
-        drift,
-        counters: system.counters,
-        penetration,
-    }
-}
-
-fn prepare<G: Gas, F: PairForce>(
-    scene: &ParticleScene,
-    particles: usize,
-    options: &MethodOptions,
-    gas: G,
-    force: &F,
-) -> ParticleSystem<1, G> {
-    let placed = scene.place(particles);
+) -> Start {
+    let (placed, waiting) = scene.place(particles);
+    // Beyond the ends the gas is like that at the ends.
     let states: Vec<_> = placed.iter().map(|&(x, _)| scene.initial(x)).collect();
     let particles = Particles {
         position: placed.iter().map(|&(x, _)| [x]).collect(),
@@ -149,51 +87,70 @@ fn prepare<G: Gas, F: PairForce>(
             .map(|((_, mass), state)| options.eta * mass / state.density())
             .collect(),
     };
-    let [from, to] = scene.extent;
-    ParticleSystem::new(
-        gas,
-        particles,
-        Domain::new([from], [to], scene.boundary),
-        SmoothingKernel::new(options.kernel),
-        options.smoothing(scene.constant_smoothing),
-        force,
-    )
+    let smoothing = options.smoothing(scene.constant_smoothing, &placed, waiting);
+    let [from, to] = scene.domain;
+    let domain = Domain { lower: [from], upper: [to], boundary: [scene.boundary] };
+    let kernel = SmoothingKernel::new(options.kernel);
+    let system = ParticleSystem::new(gas, particles, domain, kernel, smoothing, &force);
+    let evolution = match options.sharing {
+        StepSharing::Global => ParticleEvolution::global(system, force, table, options.courant),
+        StepSharing::Block { levels } => {
+            ParticleEvolution::blocks(system, force, levels, options.courant)
+        }
+    };
+    let evolution = Box::new(evolution.with_work(options.work));
+    Start { evolution, waiting, max_steps: options.max_steps }
 }
 
-struct Totals {
-    mass: f64,
-    momentum: f64,
-    momentum_scale: f64,
-    energy: Option<f64>,
-}
-
-impl Totals {
-    fn of<G: Gas>(system: &ParticleSystem<1, G>) -> Self {
-        let state = &system.particles;
-        // Σ m (|v| + √(2u) or c): what the momentum would be if everything moved one way.
-        let momentum_scale = (0..state.len())
+impl<G: Gas, F: PairForce> Flowing for ParticleEvolution<1, G, F> {
+    fn totals(&self) -> Totals {
+        let (system, state) = (self.system(), &self.system().particles);
+        let motion = (0..state.len())
             .map(|i| {
-                let spacing = state.smoothing[i];
-                let thermal = system.gas.sound_speed(state.mass[i] / spacing, state.thermal[i]);
+                let density = state.mass[i] / state.smoothing[i];
+                let thermal = system.gas.sound_speed(density, state.thermal[i]);
                 state.mass[i] * (state.velocity[i][0].abs() + thermal)
             })
             .sum();
-        Self {
+        Totals {
             mass: state.mass.iter().sum(),
-            momentum: system.momentum()[0],
-            momentum_scale,
+            momentum: system.momentum()[0] - self.wall_impulse()[0],
+            motion,
             energy: system.energy(),
+            volume: None,
         }
     }
-}
 
-fn profile<G: Gas>(system: &ParticleSystem<1, G>) -> Profile {
-    let state = &system.particles;
-    Profile {
-        x: state.position.iter().map(|x| x[0]).collect(),
-        density: system.density().to_vec(),
-        velocity: state.velocity.iter().map(|v| v[0]).collect(),
-        pressure: system.pressure().to_vec(),
-        energy: state.thermal.iter().map_while(|thermal| thermal.energy()).collect(),
+    fn profile(&self) -> Profile {
+        let (system, state) = (self.system(), &self.system().particles);
+        Profile {
+            x: state.position.iter().map(|x| x[0]).collect(),
+            density: system.density().to_vec(),
+            velocity: state.velocity.iter().map(|v| v[0]).collect(),
+            pressure: system.pressure().to_vec(),
+            energy: state.thermal.iter().map_while(|thermal| thermal.energy()).collect(),
+            mass: state.mass.clone(),
+            smoothing: state.smoothing.clone(),
+        }
+    }
+
+    fn counters(&self) -> Counters {
+        self.system().counters
+    }
+
+    fn promise(&self) -> Promise {
+        match self.work() {
+            Work::TimeCentred => Promise::RoundOff,
+            Work::Instantaneous => Promise::Integrator,
+        }
+    }
+
+    fn out_of_order(&self) -> usize {
+        let positions = &self.system().particles.position;
+        positions.windows(2).filter(|pair| pair[0][0] >= pair[1][0]).count()
+    }
+
+    fn substeps(&self) -> Option<u64> {
+        ParticleEvolution::substeps(self)
     }
 }

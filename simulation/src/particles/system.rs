@@ -8,7 +8,7 @@ use super::pair_force::PairForce;
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
-use crate::run::Reason;
+use crate::run::{Counters, Reason};
 
 /// What is advanced in time: one array per quantity, all of length N.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,17 +35,6 @@ impl<const D: usize, T> Particles<D, T> {
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
     }
-}
-
-/// Work done so far.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Counters {
-    /// Evaluations of the forces on all particles.
-    pub evaluations: u64,
-    /// Pairs for which a force was computed (each pair once, whichever way it is seen).
-    pub interactions: u64,
-    /// Iterations of the Riemann solver, after the first guesses.
-    pub riemann_iterations: u64,
 }
 
 /// Particles of a gas in a domain.

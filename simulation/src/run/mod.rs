@@ -1,23 +1,108 @@
 //! What a run leaves behind, whatever the method.
 
-mod conservation;
 mod failure;
+mod judgement;
 mod options;
 mod profile;
 
-pub use conservation::Conservation;
-pub(crate) use conservation::Totals;
 pub use failure::{Failure, Reason};
+pub use judgement::Promise;
 pub use options::InvalidOptions;
 pub(crate) use options::{not_negative, positive};
 pub use profile::Profile;
 
+use crate::march::{Evolution, Limits, march};
+use std::ops::ControlFlow;
+
+/// A gas in one dimension that marches: what a run needs to see of it.
+pub trait Flowing: Evolution {
+    /// What is conserved, less what has come in through the ends.
+    fn totals(&self) -> Totals;
+    /// The present state.
+    fn profile(&self) -> Profile;
+    /// Work done so far.
+    fn counters(&self) -> Counters;
+    /// How well energy is promised to be conserved.
+    fn promise(&self) -> Promise {
+        Promise::RoundOff
+    }
+    /// Neighbours that stand in the wrong order: one has passed through the other.
+    fn out_of_order(&self) -> usize {
+        0
+    }
+    /// Steps within blocks so far; `None` where everybody shares one step.
+    fn substeps(&self) -> Option<u64> {
+        None
+    }
+}
+
+/// Totals of what is conserved.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Totals {
+    /// Mass.
+    pub mass: f64,
+    /// Momentum.
+    pub momentum: f64,
+    /// `Σ m (|v| + c)`: the momentum if everything moved one way.
+    pub motion: f64,
+    /// Total energy; `None` for a gas without an energy equation.
+    pub energy: Option<f64>,
+    /// Volume `Σ m V`, of methods that advance the specific volume.
+    pub volume: Option<f64>,
+}
+
+/// The drift of the conserved quantities: the change since the start less the flow through
+/// the ends, over a scale that does not vanish.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Conservation {
+    /// Over the mass at the start. Zero by construction where particles carry their mass.
+    pub mass: f64,
+    /// Over `Σ m (|v| + c)` at the start.
+    pub momentum: f64,
+    /// Over the total energy at the start; `None` for a gas without an energy equation.
+    pub energy: Option<f64>,
+    /// Over the volume at the start, for methods that advance the specific volume.
+    pub volume: Option<f64>,
+}
+
+impl Conservation {
+    fn between(start: &Totals, end: &Totals) -> Self {
+        let part = |(before, after): (f64, f64)| (after - before) / before;
+        Self {
+            mass: part((start.mass, end.mass)),
+            momentum: (end.momentum - start.momentum) / start.motion,
+            energy: start.energy.zip(end.energy).map(part),
+            volume: start.volume.zip(end.volume).map(part),
+        }
+    }
+}
+
+/// Work done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counters {
+    /// Evaluations of the forces on all particles, or of all fluxes.
+    pub evaluations: u64,
+    /// Pairs for which a force or flux was computed, each once.
+    pub interactions: u64,
+    /// Iterations of the Riemann solver, after the first guesses.
+    pub riemann_iterations: u64,
+}
+
+/// Neighbours that stand in the wrong order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Penetration {
+    /// After the last step.
+    pub at_end: usize,
+    /// The most after any step.
+    pub largest: usize,
+}
+
 /// The result of a run. A run that broke down is a result too: see [`failure`](Self::failure).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// The state at [`time`](Self::time).
+    /// The state at [`time`](Self::time); no energies for an isothermal gas.
     pub profile: Profile,
-    /// How many steps were taken.
+    /// How many steps were taken; with block steps, substeps.
     pub steps: usize,
     /// How many broke and were repeated with half their length.
     pub rejected: usize,
@@ -27,19 +112,55 @@ pub struct Run {
     pub failure: Option<Failure>,
     /// What was lost or gained beyond the flow through the ends.
     pub conservation: Conservation,
-    /// The number of pair evaluations: fluxes of particle pairs or cell faces, or
-    /// forces of one particle on another.
-    pub pairs: u64,
+    /// Work.
+    pub counters: Counters,
+    /// Particles that have passed each other.
+    pub penetration: Penetration,
     /// How many of the particles stood beyond the left and the right end of the domain at the
-    /// start, to flow in. They are the first and the last of the profile.
+    /// start. They are the first and the last of the profile.
     pub waiting: [usize; 2],
-    /// The mass of each particle; `None` for cells.
-    pub particle_mass: Option<f64>,
+    /// What the user should know before believing the numbers.
+    pub warnings: Vec<String>,
 }
 
 impl Run {
     /// Whether the run reached its end time.
     pub fn completed(&self) -> bool {
         self.failure.is_none()
+    }
+
+    /// Marches to `end_time`; after every step `observe(time)` may end it.
+    pub(crate) fn of<E: Flowing + ?Sized>(
+        evolution: &mut E,
+        waiting: [usize; 2],
+        end_time: f64,
+        limits: Limits,
+        observe: &mut (dyn FnMut(f64) -> ControlFlow<()> + Send),
+    ) -> Self {
+        let start = evolution.totals();
+        let mut penetration = Penetration::default();
+        let march = march(evolution, end_time, limits, |state, time| {
+            penetration.at_end = state.out_of_order();
+            penetration.largest = penetration.largest.max(penetration.at_end);
+            observe(time)
+        });
+        let conservation = Conservation::between(&start, &evolution.totals());
+        Self {
+            profile: evolution.profile(),
+            steps: evolution.substeps().map_or(march.steps, |steps| steps as usize),
+            rejected: march.rejected,
+            time: march.time,
+            failure: march.failure,
+            conservation,
+            counters: evolution.counters(),
+            penetration,
+            waiting,
+            warnings: judgement::warnings(
+                &conservation,
+                &evolution.promise(),
+                march.steps,
+                &penetration,
+            ),
+        }
     }
 }

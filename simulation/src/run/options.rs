@@ -1,9 +1,11 @@
 //! Why a run cannot start.
 
 use crate::lagrangian::InvalidLattice;
+use crate::particles::NotExplicit;
+use courant_analysis::kernel::Kernel;
 
-/// An option that does not make sense.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+/// Options that do not make sense, alone or with the scene.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum InvalidOptions {
     /// The lattice cannot be made.
     #[error(transparent)]
@@ -32,6 +34,38 @@ pub enum InvalidOptions {
         /// What is needed.
         least: usize,
     },
+    /// More work or memory than a run may take.
+    #[error("{what}: {needed:.3e} would be needed, at most {most} are run")]
+    TooMuch {
+        /// Particles or steps.
+        what: &'static str,
+        /// How many.
+        needed: f64,
+        /// The bound.
+        most: usize,
+    },
+    /// The scene has physics that the method does not know.
+    #[error("{method} does not run {scene}: {problem}")]
+    Uncovered {
+        /// The method.
+        method: &'static str,
+        /// The scene.
+        scene: String,
+        /// What is missing.
+        problem: &'static str,
+    },
+    /// The convolution of case 4 is known for the Gaussian.
+    #[error("kernel = {0}: gph4 needs the gaussian")]
+    Kernel(Kernel),
+    /// Particles are not stepped so.
+    #[error(transparent)]
+    Integrator(#[from] NotExplicit),
+    /// Block steps are first order.
+    #[error("integrator = {0}: block steps need centred-euler")]
+    BlockIntegrator(&'static str),
+    /// More levels than counting of steps allows.
+    #[error("levels = {0}: at most 20")]
+    Levels(u32),
 }
 
 /// Accepts a positive finite number.

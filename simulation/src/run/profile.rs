@@ -11,8 +11,12 @@ pub struct Profile {
     pub velocity: Vec<f64>,
     /// Pressures.
     pub pressure: Vec<f64>,
-    /// Specific internal energies.
+    /// Specific internal energies; none for an isothermal gas.
     pub energy: Vec<f64>,
+    /// Masses of particles; none for cells.
+    pub mass: Vec<f64>,
+    /// Smoothing lengths, of methods that have them.
+    pub smoothing: Vec<f64>,
 }
 
 impl Profile {

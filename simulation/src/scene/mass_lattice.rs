@@ -1,7 +1,7 @@
-//! The particles of a scene at the start: equal masses.
+//! The particles of a scene at the start: equal masses in the mass coordinate.
 
 use super::Scene;
-use crate::riemann::State;
+use crate::riemann::{IdealGas, State};
 
 /// Particles of equal mass, from left to right: `N` in the domain, and beyond an end through
 /// which gas flows in as many as will enter until the end time.
@@ -26,17 +26,23 @@ pub(crate) struct MassLattice {
 }
 
 impl MassLattice {
-    /// `particles` of them in the domain of the scene.
-    pub fn new(scene: &dyn Scene, particles: usize) -> Self {
+    /// `particles` of them in the domain of the scene, of an ideal gas.
+    pub fn new(scene: &Scene, gas: IdealGas, particles: usize) -> Self {
         let (mass, count) = (scene.mass(), particles as f64);
-        let spacing = mass / count;
-        let waiting = scene.inflow().map(|inflow| (inflow / spacing).ceil() as usize);
+        let waiting = Self::waiting(scene, particles);
         let at = |index: f64| scene.position_at_mass(mass * (index / count));
         let first = -(waiting[0] as f64);
         let all = waiting[0] + particles + waiting[1];
         let index = |i: usize| first + i as f64;
-        let states = (0..all).map(|i| scene.average(at(index(i)), at(index(i) + 1.0))).collect();
+        let states =
+            (0..all).map(|i| scene.average(gas, at(index(i)), at(index(i) + 1.0))).collect();
         let x = (0..all).map(|i| at(index(i) + 0.5)).collect();
-        Self { spacing, states, x, waiting }
+        Self { spacing: mass / count, states, x, waiting }
+    }
+
+    /// How many particles will stand beyond the left and the right end.
+    pub fn waiting(scene: &Scene, particles: usize) -> [usize; 2] {
+        let spacing = scene.mass() / particles as f64;
+        scene.inflow().map(|inflow| (inflow / spacing).ceil() as usize)
     }
 }

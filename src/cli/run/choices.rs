@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::{Rational, to_f64};
 use courant::analysis::scheme::Integrator;
 use courant::simulation::lagrangian::flux::{ContactViscosity, ModifiedRoe, RoeMean};
-use courant::simulation::particles::SolverChoice;
+use courant::simulation::particles::{SolverChoice, Work};
 
 /// The options; each is refused by methods that do not have it.
 #[derive(Debug, Args)]
@@ -19,9 +19,13 @@ pub struct Choices {
     /// gph1 to gph4: Riemann solver (default: published).
     #[arg(long, value_enum)]
     riemann: Option<SolverName>,
-    /// gph1 to gph4, sph1, sph2: see `courant list integrators` (default: centred-euler; SPH rk2-heun).
+    /// gph1 to gph4, sph1, sph2, sph-adke: see `courant list integrators` (default: centred-euler; SPH rk2-heun,
+    /// sph-adke rk2-midpoint).
     #[arg(long, value_parser = waves::integrator)]
     integrator: Option<&'static Integrator>,
+    /// gph1 to gph4, sph1, sph2, sph-adke: the velocity at which forces work (default: centred; SPH published).
+    #[arg(long, value_enum)]
+    work: Option<WorkName>,
     /// lagrangian-roe: what the mean state is the mean of (default: density).
     #[arg(long, value_enum)]
     roe_mean: Option<MeanName>,
@@ -42,6 +46,15 @@ enum SolverName {
     Converged,
     /// Exact.
     Exact,
+}
+
+/// Velocities at which forces work, by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum WorkName {
+    /// The mean of those before and after the step: total energy is conserved to round-off.
+    Centred,
+    /// That of each stage, as printed for GPH 1 and 2 and SPH: an error of the time steps, which strong shocks keep.
+    Published,
 }
 
 /// Roe means by name.
@@ -70,6 +83,7 @@ impl Choices {
             ("--beta", self.beta.is_some()),
             ("--riemann", self.riemann.is_some()),
             ("--integrator", self.integrator.is_some()),
+            ("--work", self.work.is_some()),
             ("--roe-mean", self.roe_mean.is_some()),
             ("--contact", self.contact.is_some()),
             ("--contact-form", self.contact_form.is_some()),
@@ -108,6 +122,15 @@ impl Choices {
     /// The integrator, or what it is otherwise.
     pub fn integrator(&self, otherwise: &'static Integrator) -> &'static Integrator {
         self.integrator.unwrap_or(otherwise)
+    }
+
+    /// The velocity at which forces work, or what it is otherwise.
+    pub fn work(&self, otherwise: Work) -> Work {
+        match self.work {
+            None => otherwise,
+            Some(WorkName::Centred) => Work::TimeCentred,
+            Some(WorkName::Published) => Work::Instantaneous,
+        }
     }
 
     /// The flux with the choices made.

@@ -1,54 +1,42 @@
 //! Scenes and methods of one-dimensional gas dynamics.
 
-use super::tube_file::{self, TubeFile};
 use super::{Arguments, Entry, Family, no_method};
 use crate::cli::output::{Format, print, print_record, warnings};
+use crate::cli::progress::Bar;
 use crate::cli::{Failure, Outcome, names};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
+use courant::analysis::kernel::Kernel;
 use courant::reports::gas_run;
 use courant::reports::number::{exact_text, significant};
+use courant::reports::particle_profile::{profile_csv, profile_figure};
 use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::RunRecord;
 use courant::reports::table::{Align, Table};
 use courant::simulation::comparison::Comparison;
+use courant::simulation::lagrangian::LagrangianOptions;
 use courant::simulation::lagrangian::flux::Flux;
-use courant::simulation::lagrangian::{LagrangianOptions, Lattice};
 use courant::simulation::method::Method;
-use courant::simulation::run::Run;
-use courant::simulation::scene::{STANDARD_TUBES, Scene, ShockTube, SimpleWave, WaveData};
+use courant::simulation::particles::{MethodOptions, ParticleMethod};
+use courant::simulation::run::{InvalidOptions, Run};
+use courant::simulation::scene::{KEYS, Scene};
 use serde::Serialize;
+use std::path::Path;
 use std::time::Instant;
 
 pub const FAMILY: Family = Family { scenes, methods, run };
 
-/// The name of the smooth wave.
-const SIMPLE_WAVE: &str = "simple-wave";
-
 fn scenes() -> Vec<Entry> {
-    let table = "Ferrari et al. 2008, Table 2";
-    let chapter = "Toro 1999";
-    let tubes = [
-        ("ferrari1", "shock tube: sonic rarefaction, contact, shock (Toro's test 1)", table),
-        ("ferrari2", "shock tube: two rarefactions, nearly a vacuum (the 123 problem)", table),
-        ("ferrari3", "shock tube: strong shock, pressure ratio 1e5 (blast, left half)", table),
-        ("ferrari4", "shock tube: two colliding shocks and a contact", table),
-        ("sod", "shock tube of Sod", "Sod 1978"),
-        ("toro4", "shock tube: blast to the left", chapter),
-        ("toro5", "shock tube: strong shock with a slow contact", chapter),
-        ("toro6", "shock tube: a contact at rest", chapter),
-        ("toro7", "shock tube: a slowly moving contact", chapter),
-        (
-            SIMPLE_WAVE,
-            "smooth periodic sound wave of finite amplitude",
-            "Courant & Friedrichs 1948",
-        ),
-        (
-            "FILE.toml",
-            "a shock tube of your own; a bad file is answered with the keys it needs",
-            "-",
-        ),
-    ];
-    tubes.map(|(name, description, source)| Entry { name, description, source }).to_vec()
+    let own = Entry {
+        name: "FILE.toml",
+        description: "a scene of your own; a bad file is answered with the keys it needs",
+        source: "-",
+    };
+    let entry = |scene: &'static Scene| Entry {
+        name: &scene.name,
+        description: &scene.description,
+        source: &scene.source,
+    };
+    Scene::all().iter().map(entry).chain([own]).collect()
 }
 
 fn methods() -> Vec<Entry> {
@@ -70,10 +58,24 @@ fn methods() -> Vec<Entry> {
                 "Godunov-type SPH in mass coordinates, Rusanov flux",
                 "Ferrari et al. 2008, (3.9), (3.10)",
             ),
-            _ => (
+            "lagrangian-roe" => (
                 "Godunov-type SPH in mass coordinates, modified Roe flux",
                 "Ferrari et al. 2008, (3.9), (3.12)-(3.15)",
             ),
+            _ => {
+                let method = ParticleMethod::named(name).expect("the rest are particle methods");
+                let description = match method {
+                    ParticleMethod::Gph1 => "Godunov particles, (1/ρi² + 1/ρj²) ∇W(h mean)",
+                    ParticleMethod::Gph2 => "Godunov particles, 2/(ρi ρj) ∇W(h mean)",
+                    ParticleMethod::Gph3 => "Godunov particles, ∇W(hi)/ρi² + ∇W(hj)/ρj²",
+                    ParticleMethod::Gph4 => "Godunov particles, convolution of Gaussians",
+                    ParticleMethod::Sph2 => "SPH, 2√(Pi Pj)/(ρi ρj), viscosity α = 1, β = 2",
+                    ParticleMethod::Sph1 | ParticleMethod::Adke => {
+                        "SPH, Pi/ρi² + Pj/ρj², viscosity α = 1, β = 2"
+                    }
+                };
+                (description, method.source())
+            }
         };
         Entry { name, description, source }
     };
@@ -81,54 +83,55 @@ fn methods() -> Vec<Entry> {
 }
 
 fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let file = if arguments.scene.ends_with(".toml") {
-        Some(tube_file::read(&arguments.scene)?)
-    } else {
-        None
-    };
-    let method = method(arguments, file.as_ref())?;
-    let scene = scene(arguments, file)?;
-    let particles = arguments.particles.unwrap_or_else(|| scene.particles());
-    check_lattice(&method, particles)?;
+    let scene = scene(arguments)?;
+    let method = method(arguments, scene.method.as_deref())?;
+    let particles = arguments.particles.unwrap_or(scene.particles);
+    method.check(&scene, particles).map_err(|error| invalid(&error, arguments, &method))?;
     let output = OutputDirectory::open(&arguments.out)?;
+    let bar = Bar::new(&scene.name);
     let start = Instant::now();
     let run = method
-        .run(scene.as_ref(), particles)
-        .map_err(|error| Failure::Message(format!("--method {}: {error}", method.name())))?;
+        .run_with(&scene, particles, |time| bar.march(time, scene.end_time))
+        .map_err(|error| invalid(&error, arguments, &method))?;
     let seconds = start.elapsed().as_secs_f64();
+    bar.finish();
     let record = GasRecord::new(
-        gas_run::record(scene.as_ref(), &method, particles, &run, seconds),
+        gas_run::record(&scene, &method, particles, &run, seconds),
         &method,
+        &run,
         arguments.ratio.as_ref(),
     );
+    let exact = gas_run::exact_holds(&scene, run.time).is_ok();
+    let outcome = if run.completed() { "" } else { ": failed" };
     let title = format!(
-        "{}: {}, t = {}",
-        scene.name(),
+        "{}: {}, t = {}{outcome}",
+        scene.name,
         gas_run::method_title(method.name()),
         significant(run.time, 4)
     );
-    let figure = gas_run::figure(scene.as_ref(), &run, &title);
-    let stem = format!("{}_{}", file_stem(scene.name()), method.name());
-    let mut files = Vec::new();
-    for (ending, bytes) in [
-        ("csv", gas_run::profile_csv(scene.as_ref(), &run)),
-        ("png", figure.png()?),
-        ("svg", figure.svg()?.into_bytes()),
-    ] {
-        files.push(output.write(&format!("{stem}.{ending}"), &bytes)?);
+    let figure = profile_figure(&scene, &run, exact).title(title);
+    let stem = format!("{}_{}", file_stem(&scene.name), method.name());
+    let mut files = vec![("csv", profile_csv(&scene, &run, exact))];
+    match figure.png().and_then(|png| Ok((png, figure.svg()?))) {
+        Ok((png, svg)) => files.extend([("png", png), ("svg", svg.into_bytes())]),
+        Err(error) if run.completed() => return Err(error.into()),
+        // A state that is not finite has no picture; the table of it is still there.
+        Err(_) => {}
     }
-    let table = table(scene.as_ref(), &method, &run, &record.run);
-    print_record("run", &record, &table, arguments.format)?;
+    let mut written = String::new();
+    for (ending, bytes) in files {
+        let path = output.write(&format!("{stem}.{ending}"), &bytes)?;
+        written.push_str(&format!("wrote {}\n", path.display()));
+    }
+    print_record("run", &record, &table(&scene, &method, &run, &record), arguments.format)?;
     if arguments.format == Format::Table {
         print(&warnings(&record.run.warnings))?;
-        let names: Vec<String> =
-            files.iter().map(|file| format!("wrote {}\n", file.display())).collect();
-        print(&names.concat())?;
+        print(&written)?;
     }
-    Ok(Outcome::Yes)
+    Ok(if run.completed() { Outcome::Yes } else { Outcome::No })
 }
 
-/// The record with what the method was set to.
+/// The record with what the method was set to, and its work.
 #[derive(Debug, Serialize)]
 struct GasRecord {
     #[serde(flatten)]
@@ -139,43 +142,75 @@ struct GasRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     ratio: Option<String>,
     cfl: f64,
+    /// What follows is only for the methods that have it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    integrator: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alpha: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beta: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    riemann: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    work: Option<&'static str>,
+    /// Neighbours in the wrong order: the most after any step.
+    penetration: usize,
+    pair_interactions: u64,
+    riemann_iterations: u64,
     /// All settings, in words.
     settings: String,
 }
 
 impl GasRecord {
-    fn new(run: RunRecord, method: &Method, ratio: Option<&Rational>) -> Self {
-        let (smoothing, cfl) = match method {
-            Method::FiniteVolume(options) => (None, options.cfl),
-            Method::AdaptiveSph(options) => {
-                (Some((options.kernel, options.pilot_ratio)), options.cfl)
+    fn new(run: RunRecord, method: &Method, result: &Run, ratio: Option<&Rational>) -> Self {
+        let (smoothing, cfl, options) = match method {
+            Method::FiniteVolume(options) => (None, options.cfl, None),
+            Method::Lagrangian(options) => {
+                (Some((options.kernel, options.ratio)), options.cfl, None)
             }
-            Method::Lagrangian(options) => (Some((options.kernel, options.ratio)), options.cfl),
+            Method::Particles(options) => {
+                (Some((options.kernel, options.eta)), options.courant, Some(options))
+            }
         };
+        let godunov = options.is_some_and(|options| options.method.is_godunov());
+        let viscosity = options.filter(|_| !godunov).map(|options| options.viscosity);
         Self {
             run,
             kernel: smoothing.map(|(kernel, _)| kernel.name()),
             ratio: smoothing.map(|(_, used)| ratio.map_or_else(|| exact_text(used), to_text)),
             cfl,
+            integrator: options.map(|options| options.integrator.name.as_str()),
+            alpha: viscosity.map(|viscosity| viscosity.alpha),
+            beta: viscosity.map(|viscosity| viscosity.beta),
+            riemann: options.filter(|_| godunov).map(|options| options.solver.name()),
+            work: options.map(|options| options.work.name()),
+            penetration: result.penetration.largest,
+            pair_interactions: result.counters.interactions,
+            riemann_iterations: result.counters.riemann_iterations,
             settings: gas_run::settings(method),
         }
     }
 }
 
-/// Refuses before anything is written what the method would refuse later.
-fn check_lattice(method: &Method, particles: usize) -> Result<(), Failure> {
-    let Method::Lagrangian(options) = method else { return Ok(()) };
-    let lattice = Lattice::new(options.kernel, options.ratio)
-        .map_err(|error| Failure::Message(format!("--ratio {}: {error}", options.ratio)))?;
-    let least = 2 * lattice.reach() + 1;
-    if particles < least {
-        return Err(Failure::Message(format!(
-            "--particles {particles}: at least {least} are needed where the kernel reaches {} \
-             neighbours on each side",
-            lattice.reach()
-        )));
-    }
-    Ok(())
+/// An error of the simulation by the option that brought it.
+fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &Method) -> Failure {
+    let ratio = || arguments.ratio.as_ref().map_or_else(String::new, to_text);
+    Failure::Message(match error {
+        InvalidOptions::Lattice(error) => format!("--ratio {}: {error}", ratio()),
+        InvalidOptions::Kernel(kernel) => format!(
+            "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
+        ),
+        InvalidOptions::Particles { particles, least } => {
+            format!("--particles {particles}: {} needs at least {least}", method.name())
+        }
+        InvalidOptions::NotPositive { name, value } => {
+            format!("--{name} {value}: it must be above 0")
+        }
+        InvalidOptions::TooMuch { .. } => {
+            format!("SCENE {}, --method {}: {error}", arguments.scene, method.name())
+        }
+        other => format!("--method {}: {other}", method.name()),
+    })
 }
 
 /// A scene name as part of a file name.
@@ -185,14 +220,14 @@ fn file_stem(name: &str) -> String {
 }
 
 /// An option that the method does not have.
-fn unused(option: &str, value: &Rational, method: &str, accepted: &str) -> Failure {
-    let value = to_text(value);
-    Failure::Message(format!("{option} {value}: `{method}` has no such option; {accepted}"))
+fn unused(option: &str, value: &str, method: &str) -> Failure {
+    Failure::Message(format!(
+        "{option} {value}: `{method}` has no kernel; it takes --particles, --cfl and --time"
+    ))
 }
 
-fn method(arguments: &Arguments, file: Option<&TubeFile>) -> Result<Method, Failure> {
-    let chosen = arguments.method.as_deref().or(file.and_then(|file| file.method.as_deref()));
-    let Some(name) = chosen else {
+fn method(arguments: &Arguments, customary: Option<&str>) -> Result<Method, Failure> {
+    let Some(name) = arguments.method.as_deref().or(customary) else {
         return Err(Failure::Message(format!(
             "--method is required for {}; accepted: {}",
             arguments.scene,
@@ -201,36 +236,28 @@ fn method(arguments: &Arguments, file: Option<&TubeFile>) -> Result<Method, Fail
     };
     let mut method =
         Method::named(name).ok_or_else(|| no_method(name, &arguments.scene, &Method::NAMES))?;
-    let cfl = arguments.cfl.as_ref().map(to_f64);
     let choices = &arguments.choices;
     let has: &[&str] = match &method {
-        Method::AdaptiveSph(_) => &["--alpha", "--beta"],
+        Method::Particles(options) if options.method.is_godunov() => {
+            &["--riemann", "--integrator", "--work"]
+        }
+        Method::Particles(_) => &["--alpha", "--beta", "--integrator", "--work"],
         Method::Lagrangian(LagrangianOptions { flux: Flux::ModifiedRoe(_), .. }) => {
             &["--roe-mean", "--contact", "--contact-form"]
         }
         Method::FiniteVolume(_) | Method::Lagrangian(_) => &[],
     };
     choices.only(has, name)?;
+    let cfl = arguments.cfl.as_ref().map(to_f64);
     match &mut method {
         Method::FiniteVolume(options) => {
-            let accepted = "it takes --particles, --cfl and --time";
             if let Some(kernel) = arguments.kernel {
-                return Err(Failure::Message(format!(
-                    "--kernel {}: `{name}` has no kernel; {accepted}",
-                    kernel.name()
-                )));
+                return Err(unused("--kernel", kernel.name(), name));
             }
             if let Some(ratio) = &arguments.ratio {
-                return Err(unused("--ratio", ratio, name, accepted));
+                return Err(unused("--ratio", &to_text(ratio), name));
             }
             options.cfl = cfl.unwrap_or(options.cfl);
-        }
-        Method::AdaptiveSph(options) => {
-            options.cfl = cfl.unwrap_or(options.cfl);
-            options.kernel = arguments.kernel.unwrap_or(options.kernel);
-            options.pilot_ratio = arguments.ratio.as_ref().map_or(options.pilot_ratio, to_f64);
-            options.alpha = choices.alpha(options.alpha);
-            options.beta = choices.beta(options.beta);
         }
         Method::Lagrangian(options) => {
             options.cfl = cfl.unwrap_or(options.cfl);
@@ -240,75 +267,112 @@ fn method(arguments: &Arguments, file: Option<&TubeFile>) -> Result<Method, Fail
                 *roe = choices.roe(*roe);
             }
         }
+        Method::Particles(options) => {
+            options.courant = cfl.unwrap_or(options.courant);
+            if let Some(kernel) = arguments.kernel {
+                options.kernel = kernel;
+                if kernel == Kernel::Gaussian && options.estimation.is_none() {
+                    // The ratio that keeps lattice points off the cut, as for the method that brings it.
+                    options.eta = MethodOptions::new(ParticleMethod::Gph4).eta;
+                }
+            }
+            options.eta = arguments.ratio.as_ref().map_or(options.eta, to_f64);
+            options.integrator = choices.integrator(options.integrator);
+            options.work = choices.work(options.work);
+            options.solver = choices.solver(options.solver);
+            options.viscosity.alpha = choices.alpha(options.viscosity.alpha);
+            options.viscosity.beta = choices.beta(options.viscosity.beta);
+        }
     }
     Ok(method)
 }
 
-fn scene(arguments: &Arguments, file: Option<TubeFile>) -> Result<Box<dyn Scene>, Failure> {
+fn scene(arguments: &Arguments) -> Result<Scene, Failure> {
     let name = arguments.scene.as_str();
-    let time = arguments.time.as_ref();
-    let bad_time = |value: &Rational, problem: &dyn std::fmt::Display| {
-        Failure::Message(format!("--time {}: {problem}", to_text(value)))
+    let mut scene = if name.ends_with(".toml") {
+        read(name)?
+    } else {
+        let known: Vec<&str> = Scene::all().iter().map(|scene| scene.name.as_str()).collect();
+        let problem = || names::unknown("scene", name, &known);
+        Scene::named(name)
+            .ok_or_else(|| Failure::Message(format!("SCENE {name}: {}", problem())))?
     };
-    if name == SIMPLE_WAVE {
-        let mut data = WaveData { amplitude: 0.1, gamma: 1.4, end_time: 0.5, particles: 100 };
-        data.end_time = time.map_or(data.end_time, to_f64);
-        let wave = SimpleWave::new(data).map_err(|error| match time {
-            Some(value) => bad_time(value, &error),
-            None => Failure::Message(error.to_string()),
-        })?;
-        return Ok(Box::new(wave));
+    if let Some(time) = &arguments.time {
+        scene.end_time = to_f64(time);
     }
-    let tube = match file {
-        Some(file) => file.tube,
-        None => {
-            let problem = || names::unknown("scene", name, &STANDARD_TUBES);
-            ShockTube::standard(name)
-                .ok_or_else(|| Failure::Message(format!("SCENE {name}: {}", problem())))?
-        }
-    };
-    let Some(value) = time else { return Ok(Box::new(tube)) };
-    let mut data = tube.data().clone();
-    data.end_time = to_f64(value);
-    let tube = ShockTube::new(data).map_err(|error| bad_time(value, &error))?;
-    Ok(Box::new(tube))
+    Ok(scene)
 }
 
-fn table(scene: &dyn Scene, method: &Method, run: &Run, record: &RunRecord) -> Table {
+/// Reads a file; every complaint names file, line and what is accepted.
+fn read(path: &str) -> Result<Scene, Failure> {
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        Failure::Message(format!("SCENE {path}: {error}; accepted: a TOML file with {KEYS}"))
+    })?;
+    let stem = Path::new(path).file_stem().map_or("scene".into(), |stem| stem.to_string_lossy());
+    let scene = Scene::parse(&text, &stem)
+        .map_err(|error| Failure::Message(format!("SCENE {path}, {error}")))?;
+    if let Some(method) = &scene.method
+        && Method::named(method).is_none()
+    {
+        let line =
+            1 + text.lines().take_while(|line| !line.trim_start().starts_with("method")).count();
+        let problem = names::unknown("method", method, &Method::NAMES);
+        return Err(Failure::Message(format!(
+            "SCENE {path}, line {line}: method = \"{method}\": {problem}"
+        )));
+    }
+    Ok(scene)
+}
+
+fn table(scene: &Scene, method: &Method, run: &Run, record: &GasRecord) -> Table {
     let caption = format!(
         "{} ({}), {}: {}",
-        scene.name(),
-        scene.source(),
+        scene.name,
+        scene.source,
         gas_run::method_title(method.name()),
-        gas_run::settings(method)
+        record.settings
     );
     let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Right)]);
     let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
+    let (record, work) = (&record.run, record);
     add("completed", if record.completed { "yes".into() } else { "no".into() });
     if let Some(failure) = &record.failure {
         add("failure", failure.clone());
     }
     add("time", significant(record.time, 6));
     add("steps", record.steps.to_string());
+    if record.rejected_steps > 0 {
+        add("steps repeated with half", record.rejected_steps.to_string());
+    }
     add("particles", record.particles.to_string());
     let number = |value: Option<f64>| value.map_or_else(|| "–".into(), |v| significant(v, 5));
     if record.completed {
-        let comparison = Comparison::inside(scene, run, gas_run::window(scene));
-        add("inside at the end", comparison.inside.to_string());
+        add("inside at the end", run.profile.inside(scene.window).len().to_string());
         add("L1 density", number(record.l1.density));
         add("L1 velocity", number(record.l1.velocity));
         add("L1 pressure", number(record.l1.pressure));
         add("L1 internal energy", number(record.l1.energy));
-        add("overshoot of energy", significant(comparison.overshoot.energy, 4));
-        for wave in &comparison.waves {
-            let name = format!("{:?} off by", wave.kind).to_lowercase();
-            add(&name, number(wave.error()));
+        if let Some(note) = &record.l1_note {
+            add("no L1", note.clone());
+        }
+        if record.l1.density.is_some()
+            && let Some(comparison) = Comparison::new(scene, run)
+        {
+            add("overshoot of density", significant(comparison.overshoot.density, 4));
+            for wave in &comparison.waves {
+                let name = format!("{:?} off by", wave.kind).to_lowercase();
+                add(&name, number(wave.error()));
+            }
         }
     }
     add("drift of mass", number(record.conservation.mass));
     add("drift of momentum", number(record.conservation.momentum));
     add("drift of energy", number(record.conservation.energy));
-    add("pairs computed", run.pairs.to_string());
+    add("particles out of order", work.penetration.to_string());
+    add("pairs computed", work.pair_interactions.to_string());
+    if work.riemann.is_some() {
+        add("Riemann iterations", work.riemann_iterations.to_string());
+    }
     add("seconds", significant(record.wall_seconds, 3));
     table
 }

@@ -3,8 +3,6 @@
 mod advection;
 mod choices;
 mod gas;
-mod particles;
-mod tube_file;
 
 use super::output::Format;
 use super::{Failure, Outcome, names, numbers};
@@ -17,8 +15,8 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// Scene: see `courant list scenes`.
     scene: String,
-    /// Method: see `courant list methods`; each family of scenes has its own. Advection scenes take godunov-sph
-    /// if none is given, a tube from a file what the file says; for the others it is required.
+    /// Method: see `courant list methods`; advection and gases have their own. Advection scenes take godunov-sph
+    /// if none is given, a scene from a file what the file says; for the others it is required.
     #[arg(long)]
     method: Option<String>,
     /// Number of particles (default: the scene's own).
@@ -66,7 +64,7 @@ struct Family {
     run: fn(&Arguments) -> Result<Outcome, Failure>,
 }
 
-const FAMILIES: [Family; 3] = [advection::FAMILY, gas::FAMILY, particles::FAMILY];
+const FAMILIES: [Family; 2] = [advection::FAMILY, gas::FAMILY];
 
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {

@@ -33,16 +33,17 @@ pub(super) fn errors(runs: &Runs) -> Item {
         ],
     );
     for solved in runs.to_the_end() {
-        let errors = solved.run.errors.filter(|_| solved.run.completed());
+        let errors = solved.errors.as_ref();
+        let inside = solved.run.profile.inside(solved.scene.window).len();
         table.push([
             solved.scene.name.to_string(),
             solved.options.method.name().into(),
             solved.run.profile.len().to_string(),
-            errors.map_or_else(|| "–".into(), |e| e.inside.to_string()),
+            errors.map_or_else(|| "–".into(), |_| inside.to_string()),
             number(errors.map(|e| e.density), 3),
             number(errors.map(|e| e.velocity), 3),
             number(errors.map(|e| e.pressure), 3),
-            number(errors.and_then(|e| e.energy), 3),
+            number(errors.map(|e| e.energy).filter(|energy| energy.is_finite()), 3),
             outcome(solved),
         ]);
     }
@@ -72,8 +73,8 @@ pub(super) fn conservation(runs: &Runs) -> Item {
             solved.scene.name.to_string(),
             solved.options.method.name().into(),
             run.steps.to_string(),
-            significant(run.drift.momentum, 2),
-            number(run.drift.energy, 2),
+            significant(run.conservation.momentum.abs(), 2),
+            number(run.conservation.energy.map(f64::abs), 2),
             run.penetration.largest.to_string(),
             pairs.to_string(),
             significant(run.counters.riemann_iterations as f64 / pairs as f64, 2),

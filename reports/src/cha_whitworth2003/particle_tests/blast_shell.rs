@@ -5,8 +5,9 @@ use super::runs::Runs;
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_simulation::particles::{Flow, Material, ParticleMethod, ParticleScene};
-use courant_simulation::riemann::{Solution, solve};
+use courant_simulation::particles::ParticleMethod;
+use courant_simulation::riemann::Solution;
+use courant_simulation::scene::Scene;
 
 /// What a method makes of the shell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,14 +27,8 @@ pub struct Shell {
 }
 
 /// The exact solution of a tube of an ideal gas.
-pub(super) fn riemann_solution(scene: &ParticleScene) -> Option<Solution> {
-    match (&scene.flow, scene.material) {
-        (Flow::Layers(layers), Material::Ideal(gas)) => match layers.as_slice() {
-            [(_, left), (_, right)] => Some(solve(gas, left, right)),
-            _ => None,
-        },
-        _ => None,
-    }
+pub(super) fn riemann_solution(scene: &Scene) -> Option<Solution> {
+    scene.riemann().map(|(solution, _)| solution)
 }
 
 /// The largest `|P/P* − 1|` of the five particles on each side of the contact.

@@ -42,9 +42,8 @@ impl Evidence<'_> {
         let shell = || self.shells.iter().find(|shell| shell.method == method);
         Some(match (name, arguments) {
             ("density-error", [scene]) => {
-                let run = &self.runs.get(scene, method).run;
-                let errors = run.errors.filter(|_| run.completed());
-                errors.map_or(f64::INFINITY, |errors| errors.density)
+                let errors = &self.runs.get(scene, method).errors;
+                errors.as_ref().map_or(f64::INFINITY, |errors| errors.density)
             }
             ("ripple", [scene]) => pressure_ripple(self.runs, scene, method),
             ("interactions" | "searches" | "iterations", [scene]) => {

@@ -6,10 +6,10 @@ use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
 use crate::page::Item;
 use crate::particle_profile::{Quantity, exact_line, profile_csv};
 use crate::table::{Align, Table};
-use courant_simulation::particles::{
-    Flow, MethodOptions, ParticleMethod, ParticleScene, run_particles,
-};
+use courant_simulation::method::Method;
+use courant_simulation::particles::{MethodOptions, ParticleMethod};
 use courant_simulation::riemann::State;
+use courant_simulation::scene::{Flow, Layer, Scene};
 use rayon::prelude::*;
 
 const SCENES: [(&str, &str); 2] =
@@ -28,7 +28,7 @@ pub(super) fn figure(runs: &Runs) -> Item {
         for (method, title) in METHODS {
             let solved = runs.get(scene_name, method);
             let Solved { scene, run, .. } = solved;
-            let scene = ParticleScene { window: [-HALF_WIDTH, HALF_WIDTH], ..scene.clone() };
+            let scene = Scene { window: [-HALF_WIDTH, HALF_WIDTH], ..scene.clone() };
             let sides = [
                 (Marker::Circle, Color::BLUE, "came from the left", 0..run.profile.len() / 2),
                 (
@@ -91,12 +91,14 @@ pub struct PenetrationCount {
 
 const APPROACH: [f64; 6] = [0.6, 1.2, 2.0, 4.0, 6.0, 10.0];
 
-fn streams(approach: f64, constant_smoothing: bool) -> ParticleScene {
-    let scene = ParticleScene::named("collision-supersonic").expect("it is in the list of scenes");
+fn streams(approach: f64, constant_smoothing: bool) -> Scene {
+    let scene = Scene::named("collision-supersonic").expect("it is in the list of scenes");
     let state = |v| State::new(1.0, v, 1.0).expect("density and pressure are positive");
-    let edge = scene.extent[1];
-    let flow = Flow::Layers(vec![(0.0, state(0.5 * approach)), (edge, state(-0.5 * approach))]);
-    ParticleScene { flow, constant_smoothing, ..scene }
+    let flow = Flow::Layers(vec![
+        Layer::uniform(0.0, &state(0.5 * approach)),
+        Layer::uniform(scene.domain[1], &state(-0.5 * approach)),
+    ]);
+    Scene { flow, constant_smoothing, ..scene }
 }
 
 /// Collisions from slow to fast with adaptive and with constant smoothing lengths, every method.
@@ -111,7 +113,8 @@ pub fn penetrations() -> Vec<PenetrationCount> {
         .into_par_iter()
         .map(|(method, constant_smoothing, approach)| {
             let scene = streams(approach, constant_smoothing);
-            let run = run_particles(&scene, scene.particles, &MethodOptions::new(method))
+            let run = Method::Particles(MethodOptions::new(method))
+                .run(&scene, scene.particles)
                 .expect("the report's options are in range");
             let largest = run.completed().then_some(run.penetration.largest);
             PenetrationCount { method, approach, constant_smoothing, largest }

@@ -5,16 +5,17 @@ use super::{COMMAND, Detail};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_simulation::particles::{
-    MethodOptions, ParticleMethod, ParticleRun, ParticleScene, StepSharing, run_particles,
-};
+use courant_simulation::method::Method;
+use courant_simulation::particles::{MethodOptions, ParticleMethod, StepSharing};
+use courant_simulation::run::Run;
+use courant_simulation::scene::Scene;
 use std::time::Instant;
 
 /// The cost of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cost {
     /// The scene.
-    pub scene: &'static str,
+    pub scene: String,
     /// The method.
     pub method: ParticleMethod,
     /// Whether particles have steps of their own.
@@ -36,17 +37,14 @@ const REPEATS: usize = 5;
 const LEVELS: u32 = 6;
 
 /// The run and the seconds it took on one thread.
-pub(super) fn timed(
-    scene: &ParticleScene,
-    particles: usize,
-    options: &MethodOptions,
-) -> (ParticleRun, f64) {
+pub(super) fn timed(scene: &Scene, particles: usize, options: &MethodOptions) -> (Run, f64) {
     // A pool of one thread: the seconds of a wall clock are then those of a processor.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let work = || {
         let start = Instant::now();
-        let run =
-            run_particles(scene, particles, options).expect("the report's options are in range");
+        let run = Method::Particles(*options)
+            .run(scene, particles)
+            .expect("the report's options are in range");
         (run, start.elapsed().as_secs_f64())
     };
     match pool {
@@ -59,7 +57,7 @@ pub(super) fn timed(
 pub fn costs(detail: Detail) -> Vec<Cost> {
     let mut costs = Vec::new();
     for name in SCENES {
-        let scene = ParticleScene::named(name).expect("it is in the list of scenes");
+        let scene = Scene::named(name).expect("it is in the list of scenes");
         let particles = match detail {
             Detail::Full => scene.particles,
             Detail::Quick => 100,
@@ -81,12 +79,12 @@ pub fn costs(detail: Detail) -> Vec<Cost> {
             let (run, last) = timed(&scene, particles, &options);
             let seconds = best.min(last);
             costs.push(Cost {
-                scene: scene.name,
+                scene: scene.name.clone(),
                 method: options.method,
                 block_steps: options.sharing != StepSharing::Global,
                 particles: run.profile.len(),
                 seconds,
-                steps: run.steps,
+                steps: run.steps as u64,
                 searches: run.counters.evaluations,
                 interactions: run.counters.interactions,
             });
@@ -125,7 +123,7 @@ pub(super) fn items(costs: &[Cost]) -> Vec<Item> {
         ],
     );
     for entry in costs {
-        let sph = cost(costs, entry.scene, ParticleMethod::Sph1);
+        let sph = cost(costs, &entry.scene, ParticleMethod::Sph1);
         let method = entry.method.name();
         table.push([
             entry.scene.to_string(),

@@ -1,12 +1,14 @@
 //! Speed against error: the shock tube with more and more particles.
 
 use super::cost::timed;
+use super::runs::errors;
 use super::{COMMAND, Detail, ReportError, cancelled};
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_simulation::particles::{MethodOptions, ParticleMethod, ParticleScene};
+use courant_simulation::particles::{MethodOptions, ParticleMethod};
+use courant_simulation::scene::Scene;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -24,12 +26,12 @@ pub(super) struct Point {
 }
 
 impl Point {
-    fn measure(scene: &ParticleScene, particles: usize, method: ParticleMethod) -> Self {
+    fn measure(scene: &Scene, particles: usize, method: ParticleMethod) -> Self {
         let (run, seconds) = timed(scene, particles, &MethodOptions::new(method));
         Self {
             method,
             particles: run.profile.len(),
-            error: run.errors.filter(|_| run.completed()).map(|errors| errors.density),
+            error: errors(scene, &run).map(|errors| errors.density),
             seconds,
             interactions: run.counters.interactions,
         }
@@ -59,7 +61,7 @@ pub(super) fn measure(
     detail: Detail,
     progress: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Point>, ReportError> {
-    let scene = ParticleScene::named(SCENE).expect("it is in the list of scenes");
+    let scene = Scene::named(SCENE).expect("it is in the list of scenes");
     let plans = runs(detail);
     let short = plans.partition_point(|&(particles, _)| particles < LONG);
     let mut points = Vec::new();

@@ -3,11 +3,11 @@
 use super::COMMAND;
 use crate::number::significant;
 use crate::page::Item;
-use crate::particle_profile::internal_energy;
 use crate::table::{Align, Table};
-use courant_simulation::particles::{
-    MethodOptions, ParticleMethod, ParticleRun, ParticleScene, SolverChoice, run_particles,
-};
+use courant_simulation::method::Method;
+use courant_simulation::particles::{MethodOptions, ParticleMethod, SolverChoice};
+use courant_simulation::run::Run;
+use courant_simulation::scene::Scene;
 use rayon::prelude::*;
 
 /// Energy at the centre of one run.
@@ -39,7 +39,7 @@ fn solver_name(solver: SolverChoice) -> &'static str {
 
 /// Every method with every solver that makes a difference to it, at two resolutions.
 pub fn contact_energies() -> Vec<ContactEnergy> {
-    let scene = ParticleScene::named("sjogreen").expect("it is in the list of scenes");
+    let scene = Scene::named("sjogreen").expect("it is in the list of scenes");
     let mut plans = Vec::new();
     for method in ParticleMethod::ALL {
         let solvers: &[SolverChoice] = if method.is_godunov() {
@@ -56,7 +56,8 @@ pub fn contact_energies() -> Vec<ContactEnergy> {
         .into_par_iter()
         .map(|(method, solver, particles)| {
             let options = MethodOptions { solver, ..MethodOptions::new(method) };
-            let run = run_particles(&scene, particles, &options)
+            let run = Method::Particles(options)
+                .run(&scene, particles)
                 .expect("the report's options are in range");
             measure(&scene, method, solver, &run)
         })
@@ -64,16 +65,16 @@ pub fn contact_energies() -> Vec<ContactEnergy> {
 }
 
 fn measure(
-    scene: &ParticleScene,
+    scene: &Scene,
     method: ParticleMethod,
     solver: SolverChoice,
-    run: &ParticleRun,
+    run: &Run,
 ) -> ContactEnergy {
     let profile = &run.profile;
     let exact = |i: usize| {
         let state =
             scene.exact(profile.x[i], run.time).expect("Sjögreen's test is a Riemann problem");
-        (state.density(), internal_energy(scene, &state).expect("the gas is ideal"))
+        (state.density(), scene.material.internal_energy(&state).expect("the gas is ideal"))
     };
     let inside = profile.inside(scene.window);
     let mut by_distance = inside.clone();

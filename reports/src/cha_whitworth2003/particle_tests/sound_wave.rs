@@ -47,7 +47,7 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
         }
         panel
     });
-    let Solved { scene, options, run } = snapshots[1];
+    let Solved { scene, options, run, .. } = snapshots[1];
     let title = if method.is_godunov() {
         format!("GPH case {}", number - 5)
     } else {

@@ -49,7 +49,7 @@ pub(super) fn section(runs: &Runs, tube: Tube) -> Section {
     let figures = CASES.iter().enumerate().map(|(k, &method)| {
         let number = tube.first + k;
         let solved = runs.get(tube.scene, method);
-        let Solved { scene, options, run } = solved;
+        let Solved { scene, options, run, .. } = solved;
         let outcome = match run.failure {
             None => format!("t = {}", run.time),
             Some(failure) => format!("the run broke down ({failure})"),

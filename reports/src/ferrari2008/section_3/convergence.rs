@@ -1,12 +1,12 @@
 //! How errors fall with the number of particles.
 
 use super::cost::{Point, TimedPoint, curve, resolutions};
+use super::runs::METHODS;
 use super::{COMMAND, Detail, error_or_failure, panel_title, table_item};
 use crate::figure::{Axis, Color, Figure, Line, Panel};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_simulation::method::Method;
 use rayon::prelude::*;
 
 /// The largest number of particles. The pair search of the adaptive SPH and its pilot density cost
@@ -41,7 +41,7 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
             .find(|point| (point.test, point.name, point.particles) == (test, name, n))
     };
     let mut cases: Vec<(usize, &'static str, usize)> = (1..=4)
-        .flat_map(|test| Method::NAMES.map(|name| (test, name)))
+        .flat_map(|test| METHODS.map(|name| (test, name)))
         .flat_map(|(test, name)| resolutions(most(detail, name)).map(move |n| (test, name, n)))
         .collect();
     // The long runs first, so that none is left alone at the end.
@@ -74,7 +74,7 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
     for test in 1..=4 {
         let mut panel =
             Panel::new(Axis::log("N"), Axis::log("Σ|e|/N of ρ")).title(panel_title(test));
-        for (index, name) in Method::NAMES.into_iter().enumerate() {
+        for (index, name) in METHODS.into_iter().enumerate() {
             let series = of(test, name);
             let mut row = vec![test.to_string(), name.into()];
             row.extend(all.iter().map(|&n| {

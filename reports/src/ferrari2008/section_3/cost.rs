@@ -1,13 +1,11 @@
 //! Computing time against error.
 
-use super::runs::{method, tube};
+use super::runs::{METHODS, compare, method, tube};
 use super::{COMMAND, Detail, panel_title, table_item};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_simulation::comparison::Comparison;
-use courant_simulation::method::Method;
 use courant_simulation::run::Failure;
 use std::time::Instant;
 
@@ -31,7 +29,7 @@ impl Point {
         let run = method(name).run(&tube, particles).expect("the default options are valid");
         let error = match run.failure {
             Some(failure) => Err(failure),
-            None => Ok(Comparison::new(&tube, &run).l1.density),
+            None => Ok(compare(&tube, &run).l1.density),
         };
         Self { test, name, particles, error }
     }
@@ -56,7 +54,7 @@ pub fn resolutions(most: usize) -> impl Iterator<Item = usize> {
 pub fn measure(detail: Detail) -> Vec<TimedPoint> {
     let mut points = Vec::new();
     for test in 1..=4 {
-        for name in Method::NAMES {
+        for name in METHODS {
             let most = match (detail, name) {
                 (Detail::Full, "sph-adke") => 400,
                 (Detail::Full, _) => 800,
@@ -111,7 +109,7 @@ pub fn items(timed: &[TimedPoint]) -> Vec<Item> {
     for test in 1..=4 {
         let mut panel = Panel::new(Axis::log("milliseconds"), Axis::log("Σ|e|/N of ρ"))
             .title(panel_title(test));
-        for (index, name) in Method::NAMES.into_iter().enumerate() {
+        for (index, name) in METHODS.into_iter().enumerate() {
             let points: Vec<(f64, f64)> = timed
                 .iter()
                 .filter(|timed| timed.point.test == test && timed.point.name == name)

@@ -1,14 +1,13 @@
 //! Courant number against error and failure, for each flux and test.
 
 use super::cost::curve;
-use super::runs::{LAGRANGIAN, PARTICLES, method, tube};
+use super::runs::{LAGRANGIAN, PARTICLES, compare, method, tube};
 use super::table_2::sound_growth;
 use super::{COMMAND, Detail, error_or_failure, panel_title, table_item};
 use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel, Rule};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
-use courant_simulation::comparison::Comparison;
 use courant_simulation::lagrangian::StepRule;
 use courant_simulation::method::Method;
 use courant_simulation::run::Failure;
@@ -31,7 +30,7 @@ fn run(test: usize, name: &str, cfl: f64, step: StepRule) -> Result<f64, Failure
     let run = method.run(&tube, PARTICLES).expect("the options are valid");
     match run.failure {
         Some(failure) => Err(failure),
-        None => Ok(Comparison::new(&tube, &run).l1.density),
+        None => Ok(compare(&tube, &run).l1.density),
     }
 }
 

@@ -51,7 +51,11 @@ fn row(run: &TestRun) -> Vec<String> {
     let mut row = vec![run.test.to_string(), run.method.name().into()];
     if let Some(failure) = record.failure {
         row.extend(std::iter::repeat_n("–".to_string(), 11));
-        row.extend([record.steps.to_string(), record.pairs.to_string(), failure.to_string()]);
+        row.extend([
+            record.steps.to_string(),
+            record.counters.interactions.to_string(),
+            failure.to_string(),
+        ]);
         return row;
     }
     let (l1, over) = (&comparison.l1, &comparison.overshoot);
@@ -62,11 +66,11 @@ fn row(run: &TestRun) -> Vec<String> {
         [over.density, over.velocity, over.pressure, over.energy]
             .map(|value| format!("{:.1} %", 100.0 * value)),
     );
-    let cells = record.particle_mass.is_none();
+    let cells = record.profile.mass.is_empty();
     row.push(if cells { "–".into() } else { run.left_in_domain().to_string() });
     row.push(significant(record.conservation.momentum, 1));
-    row.push(significant(record.conservation.energy, 1));
-    row.extend([record.steps.to_string(), record.pairs.to_string(), String::new()]);
+    row.push(significant(record.conservation.energy.unwrap_or(f64::NAN), 1));
+    row.extend([record.steps.to_string(), record.counters.interactions.to_string(), String::new()]);
     row
 }
 
@@ -115,10 +119,10 @@ pub fn waves(runs: &Runs) -> Item {
             optional(acoustic(false), 2),
             optional(comparison.contact_width, 3),
             optional(comparison.glitch, 3),
-            match run.run.particle_mass {
-                None => "–".into(),
-                Some(_) if comparison.order_preserved => "yes".to_string(),
-                Some(_) => "no".into(),
+            match run.run.profile.mass.is_empty() {
+                true => "–".into(),
+                false if comparison.order_preserved => "yes".to_string(),
+                false => "no".into(),
             },
             optional(comparison.spacing_mismatch, 3),
         ]);

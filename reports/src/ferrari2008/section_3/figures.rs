@@ -1,12 +1,11 @@
 //! Figures 3 to 21, one for each method and test.
 
-use super::runs::{PARTICLES, Runs, TestRun};
+use super::runs::{METHODS, PARTICLES, Runs, TestRun};
 use crate::gas_run;
 use crate::number::significant;
 use crate::page::{Item, Section};
-use courant_simulation::method::Method;
+use crate::particle_profile::{profile_csv, profile_figure};
 use courant_simulation::run::Run;
-use courant_simulation::scene::Scene;
 
 /// One section for each test. The paper has no figure of a run that fails; neither is there one here.
 pub fn sections(runs: &Runs) -> Vec<Section> {
@@ -14,7 +13,7 @@ pub fn sections(runs: &Runs) -> Vec<Section> {
     (1..=4)
         .map(|test| {
             let mut items = Vec::new();
-            for name in Method::NAMES {
+            for name in METHODS {
                 let run = runs.get(test, name);
                 match run.run.failure {
                     None => {
@@ -38,21 +37,21 @@ pub fn sections(runs: &Runs) -> Vec<Section> {
 fn figure(run: &TestRun, number: usize) -> Item {
     let TestRun { test, method, tube, run, comparison } = run;
     let title = format!("Figure {number}. Test {test}: {}", gas_run::method_title(method.name()));
-    let kind = if run.particle_mass.is_some() { "particles" } else { "cells" };
+    let kind = if !run.profile.mass.is_empty() { "particles" } else { "cells" };
     let name = format!("figure_{number:02}");
     Item::Figure {
-        figure: Box::new(gas_run::figure(tube, run, &title)),
+        figure: Box::new(profile_figure(tube, run, true).title(&title)),
         caption: format!(
             "{title}, t = {}. N = {PARTICLES} {kind}, γ = 1.4; {}; {} steps.{} {} {kind} are inside the \
              domain at the end; Σ|e|/N of the density over these: {}. Symbols: run; line: exact.",
-            tube.end_time(),
+            tube.end_time,
             gas_run::settings(method),
             run.steps,
             followed(run),
             comparison.inside,
             significant(comparison.l1.density, 3),
         ),
-        data: vec![(format!("{name}.csv"), gas_run::profile_csv(tube, run))],
+        data: vec![(format!("{name}.csv"), profile_csv(tube, run, true))],
         command: format!("courant run ferrari{test} --method {}", method.name()),
         name,
     }

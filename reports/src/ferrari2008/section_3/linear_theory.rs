@@ -12,7 +12,6 @@ use courant_analysis::stability::{Limit, SearchPlan};
 use courant_simulation::lagrangian::LagrangianOptions;
 use courant_simulation::lagrangian::flux::{ContactViscosity, Flux, ModifiedRoe};
 use courant_simulation::lagrangian::linear::{PlaneWave, UniformFlow};
-use courant_simulation::scene::Scene;
 use std::f64::consts::TAU;
 
 /// Particles of a period in the checks.
@@ -27,7 +26,7 @@ const RANGE: i64 = 100;
 /// The flow of the checks: the left state of test 1, which moves, so that λ₂ of (3.15) is not 0.
 fn flow() -> UniformFlow {
     let tube = runs::tube(1);
-    UniformFlow { gas: tube.gas(), state: *tube.left(), particles: PARTICLES }
+    UniformFlow { gas: runs::gas(&tube), state: runs::states(&tube)[0], particles: PARTICLES }
 }
 
 /// The fluxes with λ₂/C in the flow of the checks.

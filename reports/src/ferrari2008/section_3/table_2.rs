@@ -1,12 +1,11 @@
 //! Table 2, and what follows from it.
 
-use super::runs::tube;
+use super::runs::{gas, states, tube};
 use super::table_item;
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
 use courant_simulation::riemann::Wave;
-use courant_simulation::scene::Scene;
 
 /// The section.
 pub fn section() -> Section {
@@ -35,10 +34,12 @@ fn initial() -> Table {
     );
     for test in 1..=4 {
         let tube = tube(test);
-        let data = tube.data();
-        let numbers = data.left.iter().chain(&data.right);
+        let numbers =
+            states(&tube).map(|state| [state.density(), state.velocity(), state.pressure()]);
+        let (_, _, diaphragm) = tube.two_states().expect("a tube has two states");
         let mut row = vec![test.to_string()];
-        row.extend(numbers.chain([&data.diaphragm, &data.end_time]).map(f64::to_string));
+        row.extend(numbers.as_flattened().iter().map(f64::to_string));
+        row.extend([diaphragm, tube.end_time].map(|number| number.to_string()));
         table.push(row);
     }
     table
@@ -55,14 +56,13 @@ fn wave_name(wave: Wave) -> &'static str {
 /// `max C` of the star states over `max C` of the initial ones.
 pub fn sound_growth(test: usize) -> f64 {
     let tube = tube(test);
-    let gas = tube.gas();
+    let gas = gas(&tube);
     let (solution, _) = tube.riemann().expect("a tube is a Riemann problem");
     let (left, right) = solution.densities();
     let sound = |density, pressure| gas.lagrangian_sound_speed(density, pressure);
-    let first = sound(tube.left().density(), tube.left().pressure())
-        .max(sound(tube.right().density(), tube.right().pressure()));
+    let first = states(&tube).map(|state| sound(state.density(), state.pressure()));
     let star = sound(left, solution.pressure()).max(sound(right, solution.pressure()));
-    star / first
+    star / first[0].max(first[1])
 }
 
 fn star_states() -> Table {

@@ -1,9 +1,8 @@
 //! One wave of a run alone: a norm over the whole domain is mostly that of the widest wave.
 
-use super::runs::TestRun;
+use super::runs::{TestRun, exact, gas};
 use courant_simulation::comparison::Columns;
 use courant_simulation::riemann::Wave;
-use courant_simulation::scene::Scene;
 
 /// Points of a window at which errors are taken.
 const SAMPLES: usize = 2000;
@@ -48,12 +47,12 @@ impl Variable {
     }
 
     fn exact(self, run: &TestRun, x: f64) -> f64 {
-        let state = run.tube.exact(x, run.run.time);
+        let state = exact(&run.tube, x, run.run.time);
         match self {
             Self::Density => state.density(),
             Self::Velocity => state.velocity(),
             Self::Pressure => state.pressure(),
-            Self::Energy => run.tube.gas().internal_energy(state.density(), state.pressure()),
+            Self::Energy => gas(&run.tube).internal_energy(state.density(), state.pressure()),
         }
     }
 }
@@ -80,7 +79,7 @@ impl Places {
             Wave::Rarefaction { head, tail } => [at(head), at(tail)],
         };
         let [_, right] = edges(solution.right_wave());
-        Self { domain: run.tube.domain(), left: edges(solution.left_wave()), contact, right }
+        Self { domain: run.tube.domain, left: edges(solution.left_wave()), contact, right }
     }
 
     /// The window of one wave by name. Pressure and velocity do not jump at the contact.
@@ -137,7 +136,7 @@ fn inside(run: &TestRun, variable: Variable, window: [f64; 2]) -> Vec<f64> {
 
 /// The difference of the largest and smallest exact values in the domain.
 pub(super) fn range(run: &TestRun, variable: Variable) -> f64 {
-    let [from, to] = run.tube.domain();
+    let [from, to] = run.tube.domain;
     let values =
         (0..=SAMPLES).map(|i| variable.exact(run, from + (to - from) * i as f64 / SAMPLES as f64));
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
@@ -178,11 +177,11 @@ mod tests {
         let profile = &mut run.run.profile;
         let (x, time) = (profile.x.clone(), run.run.time);
         for (i, &x) in x.iter().enumerate() {
-            let state = run.tube.exact(x, time);
+            let state = exact(&run.tube, x, time);
             profile.density[i] = state.density();
             profile.velocity[i] = state.velocity();
             profile.pressure[i] = state.pressure();
-            profile.energy[i] = run.tube.gas().internal_energy(state.density(), state.pressure());
+            profile.energy[i] = gas(&run.tube).internal_energy(state.density(), state.pressure());
         }
         let places = Places::of(&run);
         let window = |name| places.window(name).unwrap();

@@ -1,0 +1,52 @@
+//! What a run says of itself.
+
+use super::{Conservation, Penetration};
+
+/// How well a method promises to conserve the total energy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Promise {
+    /// To round-off.
+    RoundOff,
+    /// To the order of the integrator in time.
+    Integrator,
+}
+
+/// An energy error of the time steps above this part of the energy spoils the third digit of everything.
+const NOTABLE: f64 = 1e-3;
+
+/// Warnings about drifts beyond what was promised, and about particles that passed each other.
+pub(super) fn warnings(
+    drift: &Conservation,
+    promise: &Promise,
+    steps: usize,
+    penetration: &Penetration,
+) -> Vec<String> {
+    let mut warnings = Vec::new();
+    // Every step rounds a sum of many numbers a few times.
+    let round_off = 1e-13 + 1e-14 * steps as f64;
+    let mut judge = |what: &str, value: f64, bound: f64, why: &str| {
+        // Written so that a NaN is told too.
+        if !(value.abs() <= bound) {
+            warnings.push(format!("{what} drifted by {value:.1e} of its scale: {why}"));
+        }
+    };
+    let broken = "the method conserves it to round-off, so the run has lost its meaning";
+    judge("mass", drift.mass, round_off, broken);
+    judge("momentum", drift.momentum, round_off, broken);
+    match (drift.energy, promise) {
+        (Some(energy), Promise::RoundOff) => judge("energy", energy, round_off, broken),
+        (Some(energy), Promise::Integrator) => {
+            let why = "an error of the time steps; smaller ones (--cfl) or work at the mean velocity \
+                       (--work centred) reduce it";
+            judge("energy", energy, NOTABLE, why);
+        }
+        (None, _) => {}
+    }
+    if penetration.at_end > 0 {
+        warnings.push(format!(
+            "{} neighbours stand in the wrong order at the end: particles have passed through each other",
+            penetration.at_end
+        ));
+    }
+    warnings
+}
