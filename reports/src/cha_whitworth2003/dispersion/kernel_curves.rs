@@ -2,7 +2,7 @@
 
 use super::super::ReportError;
 use super::{figure_item, lattice, phases, usual_ratio};
-use crate::figure::{Axis, Color, Dash, Figure, Line, Panel, Rule};
+use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
 use crate::page::Item;
 use crate::wave_map::wave_number_axis;
 use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
@@ -33,7 +33,7 @@ pub fn item() -> Result<Item, ReportError> {
         let mut panel =
             Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label)).title(title);
         if quantity == Quantity::Speed {
-            panel = panel.layer(Rule::horizontal(1.0).color(Color::GREY).width(0.7));
+            panel = panel.layer(Line::horizontal(1.0).width(0.7));
         }
         for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
             let at = equal_width_ratio(kernel);
