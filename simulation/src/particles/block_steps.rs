@@ -98,7 +98,8 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             if now > 0 {
                 self.active.clear();
                 let begins = |level: u32| now.is_multiple_of(1 << (finest - level));
-                self.active.extend((0..).zip(&self.level).filter(|&(_, &l)| begins(l)).map(|(i, _)| i));
+                self.active
+                    .extend((0..).zip(&self.level).filter(|&(_, &l)| begins(l)).map(|(i, _)| i));
                 if self.active.len() < count {
                     system.update_active(&self.active)?;
                 } else {

@@ -80,9 +80,8 @@ impl<const D: usize> Grid<D> {
         let volume: f64 = (0..D).map(|axis| self.extent(axis) + self.largest).product();
         let fewest = (volume / (4.0 * particles as f64)).powf(1.0 / D as f64);
         self.cells_per_length = 1.0 / fewest.max(WIDTH * self.largest);
-        self.counts = std::array::from_fn(|axis| {
-            (self.extent(axis) * self.cells_per_length) as usize + 1
-        });
+        self.counts =
+            std::array::from_fn(|axis| (self.extent(axis) * self.cells_per_length) as usize + 1);
     }
 
     fn extent(&self, axis: usize) -> f64 {
@@ -252,8 +251,8 @@ impl<const D: usize> Cells<D> {
                     let to = from + (last[D - 1] - first[D - 1]);
                     for other in self.starts[from] as usize..self.starts[to + 1] as usize {
                         let displacement = image.displacement(&x, &self.position[other]);
-                        let near = dot(&displacement, &displacement)
-                            <= square.max(self.square[other]);
+                        let near =
+                            dot(&displacement, &displacement) <= square.max(self.square[other]);
                         if near && (other != at || index != self.identity) {
                             visit(other, index);
                         }

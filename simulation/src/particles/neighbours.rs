@@ -215,7 +215,9 @@ impl<const D: usize> Neighbours<D> {
 
     /// All pairs of active particles, each once; a particle and its own image are one for each image.
     pub fn pairs(&self) -> impl Iterator<Item = Pair> {
-        self.blocks.iter().flat_map(move |block| (0..block.len).flat_map(move |k| self.pairs_of(block, k)))
+        self.blocks
+            .iter()
+            .flat_map(move |block| (0..block.len).flat_map(move |k| self.pairs_of(block, k)))
     }
 
     fn pairs_of<'a>(&'a self, block: &'a Block, k: usize) -> impl Iterator<Item = Pair> + 'a {

@@ -17,12 +17,20 @@ pub(super) fn for_each_block<T: Send>(blocks: &mut [T], task: impl Fn(&mut T) + 
 }
 
 /// `into[i] = value(i)` for `i < count`.
-pub(super) fn fill<T: Send>(into: &mut Vec<T>, count: usize, value: impl Fn(usize) -> T + Sync + Send) {
+pub(super) fn fill<T: Send>(
+    into: &mut Vec<T>,
+    count: usize,
+    value: impl Fn(usize) -> T + Sync + Send,
+) {
     if count < WORTH_SHARING {
         into.clear();
         into.extend((0..count).map(value));
     } else {
-        (0..count).into_par_iter().with_min_len(WORTH_SHARING / 2).map(value).collect_into_vec(into);
+        (0..count)
+            .into_par_iter()
+            .with_min_len(WORTH_SHARING / 2)
+            .map(value)
+            .collect_into_vec(into);
     }
 }
 

@@ -245,8 +245,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         let system = &*self;
         let neighbours = &system.neighbours;
         let evaluate = |at: usize, neighbour: &Neighbour, work: &mut Work<D>| {
-            let pair =
-                Ends { at, other: neighbour.other as usize, image: system.image(neighbour) };
+            let pair = Ends { at, other: neighbour.other as usize, image: system.image(neighbour) };
             let share = system.share(force, pair, work)?;
             let number = |place: usize| neighbours.cells.order[place] as usize;
             let factor = factor(number(pair.at), number(pair.other));
@@ -326,7 +325,9 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         rates.touched.clear();
         self.counters.evaluations += 1;
         let mut owed = false;
-        for work in (rates.own.iter().map(|own| &own.work)).chain(rates.sums.iter().map(|s| &s.work)) {
+        for work in
+            (rates.own.iter().map(|own| &own.work)).chain(rates.sums.iter().map(|s| &s.work))
+        {
             self.counters.interactions += work.interactions;
             self.counters.riemann_iterations += work.iterations;
             rates.wall_force = plus_scaled(&rates.wall_force, 1.0, &work.wall_force);
@@ -351,7 +352,9 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         }
         rates.is_touched.resize(count, false);
         let active = rates.touched.len();
-        for work in (rates.own.iter().map(|own| &own.work)).chain(rates.sums.iter().map(|s| &s.work)) {
+        for work in
+            (rates.own.iter().map(|own| &own.work)).chain(rates.sums.iter().map(|s| &s.work))
+        {
             for owed in &work.owed {
                 let number = neighbours.cells.order[owed.place as usize] as usize;
                 if !rates.is_touched[number] {
@@ -386,7 +389,8 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
                     return largest;
                 };
                 let (a, b) = (&self.ends[at], &self.ends[pair.other]);
-                let apart: Vector<D> = std::array::from_fn(|axis| a.velocity[axis] - velocity[axis]);
+                let apart: Vector<D> =
+                    std::array::from_fn(|axis| a.velocity[axis] - velocity[axis]);
                 let closing =
                     if distance > 0.0 { dot(&apart, &displacement) / distance } else { 0.0 };
                 largest.max(a.sound_speed + b.sound_speed + closing.max(0.0))

@@ -88,7 +88,9 @@ impl<const D: usize> SmoothingKernel<D> {
             (_, None) => PI.powf(-0.5 * (D as f64 - 1.0)),
         };
         let mut pieces = [Piece::NONE; MOST_PIECES];
-        for (index, exact) in kernel.polynomial().iter().flat_map(|shape| shape.pieces()).enumerate() {
+        for (index, exact) in
+            kernel.polynomial().iter().flat_map(|shape| shape.pieces()).enumerate()
+        {
             pieces[index] = Piece::new(index == 0, &exact.end, &exact.shape);
         }
         Self { kernel, norm, pieces }
@@ -119,7 +121,11 @@ impl<const D: usize> SmoothingKernel<D> {
                 return [value, slope];
             }
         }
-        if self.pieces[0].count > 0 { [0.0; 2] } else { [self.kernel.value(q), self.kernel.slope(q)] }
+        if self.pieces[0].count > 0 {
+            [0.0; 2]
+        } else {
+            [self.kernel.value(q), self.kernel.slope(q)]
+        }
     }
 
     /// `W(r, h)`, units 1/length^D.
