@@ -16,6 +16,7 @@
 //! much for the search: of five candidates (2-D) or seven (3-D) two or two and a half are neighbours.
 
 use courant_analysis::kernel::Kernel;
+use courant_simulation::boundary::Boundary;
 use courant_simulation::particles::*;
 use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
 use courant_simulation::riemann::{ExactIdeal, IdealGas, StarSolver, State, Stopping, VanLeer};
