@@ -123,9 +123,8 @@ impl<const D: usize> Cells<D> {
         for (x, &radius) in self.wrapped.iter().zip(radii) {
             let (grid, members) = &mut grids[octave(widest, radius)];
             *members += 1;
-            for axis in 0..D {
-                grid.low[axis] = grid.low[axis].min(x[axis]);
-                grid.high[axis] = grid.high[axis].max(x[axis]);
+            for ((low, high), &x) in grid.low.iter_mut().zip(&mut grid.high).zip(x) {
+                (*low, *high) = (low.min(x), high.max(x));
             }
         }
         let mut grid_of = [0; OCTAVES];

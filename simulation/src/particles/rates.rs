@@ -259,7 +259,9 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         };
         for_each_block(&mut rates.own, |out| {
             let block: &Block = &neighbours.blocks[out.block];
-            (out.pairs.clear(), out.sums.clear(), out.work.clear());
+            out.pairs.clear();
+            out.sums.clear();
+            out.work.clear();
             for k in 0..block.len {
                 let at = neighbours.active[block.start + k] as usize;
                 let mut sum = Share::NONE;
@@ -274,7 +276,8 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         let own = &rates.own;
         for_each_block(&mut rates.sums, |out| {
             let block: &Block = &neighbours.blocks[out.block];
-            (out.sums.clear(), out.work.clear());
+            out.sums.clear();
+            out.work.clear();
             for k in 0..block.len {
                 let at = neighbours.active[block.start + k] as usize;
                 let mut sum = Share::NONE;
