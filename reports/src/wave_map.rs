@@ -143,7 +143,8 @@ impl WaveMap {
         };
         let x = wave_number_axis().range(low, high);
         let mut panel = Panel::new(x, Axis::linear(name).spanning(&self.second)).title(title);
-        if damping.iter().any(|ratio| ratio.is_nan()) {
+        // A single wave is rounding at the end of the lattice's stability.
+        if damping.iter().filter(|ratio| ratio.is_nan()).count() > 1 {
             let everywhere = field(damping.mapv(|_| 0.0))?;
             let grows = FilledContours::region(everywhere, 0.0, Color::DARK_RED);
             panel = panel.layer(grows.label("lattice unstable: the wave grows"));
@@ -158,7 +159,8 @@ impl WaveMap {
         panel = panel
             .layer(FilledContours::new(travelling.clone(), self.bands()?))
             .layer(Isolines::new(travelling.clone(), levels.to_vec()).width(0.5));
-        if self.shown == Shown::PhaseError {
+        let leads = self.values.iter().any(|error| *error > 0.0);
+        if self.shown == Shown::PhaseError && leads {
             panel = panel.layer(Isolines::new(travelling, [0.0]).width(1.2).label("exact speed"));
         }
         Ok(match (self.has_over_damped(), self.shown) {
