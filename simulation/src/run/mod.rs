@@ -80,8 +80,12 @@ impl Conservation {
 /// Work done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counters {
-    /// Evaluations of the forces on all particles, or of all fluxes.
+    /// Evaluations of the forces on all particles or on the active ones, or of all fluxes.
     pub evaluations: u64,
+    /// Particles whose neighbours were searched.
+    pub searches: u64,
+    /// Particles whose density was summed, with the iteration for their smoothing length.
+    pub densities: u64,
     /// Pairs for which a force or flux was computed, each once.
     pub interactions: u64,
     /// Iterations of the Riemann solver, after the first guesses.
