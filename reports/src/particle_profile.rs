@@ -79,8 +79,12 @@ impl Quantity {
     }
 }
 
-/// How particles look: form and colour.
-pub const PARTICLES: (Marker, Color) = (Marker::Circle, Color::BLUE);
+/// How particles and cells look in every profile: open blue rings, smaller where there are many.
+pub fn symbols(points: Vec<(f64, f64)>, label: &str) -> Markers {
+    let size = if points.len() > 150 { 2.3 } else { 3.0 };
+    let rings = Markers::new(points, Marker::Circle).color(Color::BLUE).open();
+    rings.size(size).width(0.6).label(label)
+}
 
 /// One panel: particles as open markers, the exact solution as a line.
 ///
@@ -105,14 +109,7 @@ pub fn profile_panel(
     if exact && scene.exact(from, run.time).is_some() {
         panel = panel.layer(exact_line(scene, quantity, run.time));
     }
-    panel.layer(
-        Markers::new(points, PARTICLES.0)
-            .color(PARTICLES.1)
-            .open()
-            .size(2.4)
-            .width(0.55)
-            .label(if run.profile.mass.is_empty() { "cells" } else { "particles" }),
-    )
+    panel.layer(symbols(points, if run.profile.mass.is_empty() { "cells" } else { "particles" }))
 }
 
 /// The exact solution as a curve over the scene's window.

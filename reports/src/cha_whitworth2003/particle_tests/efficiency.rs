@@ -4,6 +4,7 @@ use super::cost::timed;
 use super::runs::errors;
 use super::{COMMAND, Detail, ReportError, cancelled};
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::gas_run::method_title;
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
@@ -147,7 +148,7 @@ pub(super) fn items(points: &[Point]) -> Vec<Item> {
                 .filter(|point| point.method == method)
                 .filter_map(|point| Some((work(point), point.error?)))
                 .collect();
-            let (color, label) = (Color::qualitative(i), method.name());
+            let (color, label) = (Color::qualitative(i), method_title(method.name()));
             panel = panel
                 .layer(Line::new(curve.clone()).color(color).dash(Dash::nth(i)).label(label))
                 .layer(
