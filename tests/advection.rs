@@ -173,12 +173,29 @@ fn a_run_that_overflows_is_told_with_its_reason() {
         "--format",
         "json",
     ];
-    let answer = json(&run(place.path(), &arguments).success());
+    let answer = json(&run(place.path(), &arguments).code(1));
     assert_eq!(answer["completed"], false);
     assert!(answer["failure"].as_str().unwrap().contains("overflowed"));
     assert_eq!(answer["l1_note"], "the run broke down");
     assert_eq!(answer["conservation_note"], "the run broke down");
     assert!(answer["l1"]["value"].is_null() && answer["time"].as_f64().unwrap() < 500.0);
+}
+
+#[test]
+fn a_step_beyond_the_proved_limit_is_told_before_the_run_and_in_its_record() {
+    let place = tempfile::tempdir().unwrap();
+    let warning = |more: &[&str]| {
+        let plain = ["advection-step", "--ratio", "2", "--particles", "100", "--format", "json"];
+        let assert = run(place.path(), &[&plain[..], more].concat());
+        let told = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+        let answer = json(&assert);
+        assert_eq!(told.is_empty(), answer["warnings"] == Value::from(Vec::<String>::new()));
+        told
+    };
+    assert!(warning(&["--cfl", "2"]).contains("steps up to C = 15/8, by proof"));
+    assert_eq!(warning(&["--cfl", "15/8", "--time", "3/4"]), "");
+    let central = warning(&["--method", "euler-sph", "--cfl", "1/2"]);
+    assert!(central.contains("no step, however small"), "{central}");
 }
 
 #[test]
@@ -198,6 +215,7 @@ fn bad_runs_are_refused_before_anything_is_written() {
         (vec!["advection-step", "--disorder", "0.1"], vec!["--disorder", "--layout"]),
         (vec!["advection-step", "--seed", "1"], vec!["--seed", "--layout"]),
         (vec!["advection-step", "--periods", "0"], vec!["--periods", "0"]),
+        (vec!["advection-square", "--time", "1e300"], vec!["--time 1", "steps would be needed"]),
         (vec!["advection-step", "--time", "1", "--periods", "1"], vec!["--time", "--periods"]),
         (
             vec!["advection-step", "--layout", "disordered", "--disorder", "1/2"],

@@ -154,7 +154,10 @@ pub fn record(
         rejected_steps: run.rejected,
         time: run.time,
         completed: run.completed(),
-        failure: run.failure.map(|failure| failure.to_string()),
+        failure: run.failure.map(|failure| match method.advice(&failure.reason) {
+            Some(advice) => format!("{failure}; {advice}"),
+            None => failure.to_string(),
+        }),
         warnings,
         l1_note: (!l1.is_complete()).then_some(no_norms),
         l1,
@@ -197,7 +200,7 @@ mod tests {
         let method = Method::named("sph-adke").unwrap();
         let run = method.run(&tube, 100).unwrap();
         let record = record(&tube, &method, 100, &run, 0.0);
-        assert!(!record.completed && record.failure.is_some());
+        assert!(!record.completed && record.failure.is_some_and(|text| text.contains("--ratio")));
         assert_eq!(record.l1, ErrorNorms::default());
         assert!(record.time < 0.012);
         assert!(profile_figure(&tube, &run, true).svg().is_ok());

@@ -5,7 +5,7 @@ use crate::lagrangian::flux::{Exact, Flux, LagrangianFlux, ModifiedRoe, Rusanov}
 use crate::lagrangian::{LagrangianOptions, LagrangianScheme};
 use crate::march::Limits;
 use crate::particles::{self, MethodOptions, ParticleMethod};
-use crate::run::{Flowing, InvalidOptions, Run};
+use crate::run::{Flowing, InvalidOptions, Reason, Run};
 use crate::scene::{Material, Scene};
 use std::ops::ControlFlow;
 
@@ -89,6 +89,30 @@ impl Method {
                 Flux::Rusanov => "lagrangian-rusanov",
                 Flux::ModifiedRoe(_) => "lagrangian-roe",
             },
+        }
+    }
+
+    /// What helps against a breakdown, if anything is known to.
+    pub fn advice(&self, reason: &Reason) -> Option<&'static str> {
+        match (self, reason) {
+            (_, Reason::StepLimit { .. }) => {
+                Some("fewer --particles or a larger --cfl take fewer steps")
+            }
+            (Self::Particles(options), Reason::InternalEnergy { .. })
+                if !options.method.is_godunov() =>
+            {
+                Some(
+                    "SPH takes half of the work of parting neighbours from the colder one; a smaller --ratio or \
+                      --method gph3 helps",
+                )
+            }
+            (Self::Particles(_), Reason::SmoothingLength { .. }) => {
+                Some("a larger --ratio or the kernel cubic-spline helps")
+            }
+            (_, Reason::InternalEnergy { .. } | Reason::Density { .. }) => {
+                Some("a smaller --cfl or --method lagrangian-rusanov helps")
+            }
+            (_, _) => None,
         }
     }
 

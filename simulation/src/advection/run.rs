@@ -11,6 +11,9 @@ use crate::march::{Evolution, Limits, march};
 use crate::run::Reason;
 use std::ops::ControlFlow;
 
+/// A run that will need more steps than this does not start.
+const MOST_STEPS: f64 = 1e9;
+
 /// Steps between two looks at the state.
 const LOOK_EVERY: u64 = 256;
 
@@ -58,6 +61,9 @@ pub enum PlanError {
     /// The end time.
     #[error("the number of periods {0} must be positive and finite")]
     Periods(f64),
+    /// More steps than a run may take.
+    #[error("{0:.3e} steps would be needed, at most {MOST_STEPS:.0e} are run")]
+    Steps(f64),
 }
 
 /// How a run ended.
@@ -106,11 +112,29 @@ pub struct AdvectionRun {
 ///
 /// A plan whose Courant number divides the way exactly must get it back: a quotient within rounding of
 /// an integer is taken as that integer.
-fn equal_steps(plan: &RunPlan) -> (u64, f64) {
+fn equal_steps(plan: &RunPlan) -> (f64, f64) {
     let way = plan.periods * plan.particles as f64;
     let steps = way / plan.method.courant_number;
     let steps = (steps * (1.0 - 4.0 * f64::EPSILON)).ceil().max(1.0);
-    (steps as u64, way / steps)
+    (steps, way / steps)
+}
+
+impl RunPlan {
+    /// Whether the plan can be run; the Courant number that it is run with, whose equal steps divide the way.
+    ///
+    /// # Errors
+    /// When a number is out of range, or too many steps would be needed.
+    pub fn check(&self) -> Result<f64, PlanError> {
+        self.method.check()?;
+        if !(self.periods > 0.0 && self.periods.is_finite()) {
+            return Err(PlanError::Periods(self.periods));
+        }
+        match equal_steps(self) {
+            // Written so that an overflow is refused too.
+            (steps, _) if !(steps <= MOST_STEPS) => Err(PlanError::Steps(steps)),
+            (_, courant_number) => Ok(courant_number),
+        }
+    }
 }
 
 /// Runs a plan.
@@ -158,10 +182,7 @@ pub(super) struct Prepared<'a> {
 
 impl<'a> Prepared<'a> {
     pub(super) fn new(plan: &'a RunPlan) -> Result<Self, PlanError> {
-        plan.method.check()?;
-        if !(plan.periods > 0.0 && plan.periods.is_finite()) {
-            return Err(PlanError::Periods(plan.periods));
-        }
+        plan.check()?;
         let ring = match plan.layout {
             Layout::Lattice | Layout::Uniform => Ring::uniform(plan.particles, 1.0)?,
             Layout::Disordered { disorder, seed } => {
@@ -171,7 +192,7 @@ impl<'a> Prepared<'a> {
         let (total, courant_number) = equal_steps(plan);
         let method = Method { courant_number, ..plan.method };
         let initial = ring.positions().iter().map(|&x| plan.scene.initial(x)).collect();
-        Ok(Self { plan, method, ring, initial, total })
+        Ok(Self { plan, method, ring, initial, total: total as u64 })
     }
 
     /// Finds the neighbours or the stencil and steps to the end: what a run costs.

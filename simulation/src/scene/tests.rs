@@ -33,6 +33,12 @@ fn the_short_form_is_two_layers() {
     let short = Scene::parse(TUBE, "sod").expect("a tube");
     let sod = named("sod");
     assert_eq!((&short.flow, short.boundary, short.window), (&sod.flow, sod.boundary, sod.window));
+    let example = include_str!("../../../examples/tube.toml");
+    let example = Scene::parse(example, "mine").expect("a tube");
+    assert_eq!(
+        (example.flow, example.method.as_deref()),
+        (sod.flow.clone(), Some("lagrangian-roe"))
+    );
     let table = |to, [density, velocity, pressure]: [f64; 3]| {
         format!(
             "[[layer]]\nto = {to}\ndensity = {density}\nvelocity = {velocity}\npressure = {pressure}\n"

@@ -3,16 +3,18 @@
 use super::{Arguments, Entry, Family, no_method};
 use crate::cli::output::{Format, print, print_record, warnings};
 use crate::cli::progress::Bar;
-use crate::cli::{Failure, Outcome, numbers};
+use crate::cli::{Failure, Outcome, complain, numbers};
 use clap::{Args, ValueEnum};
-use courant::analysis::exact::rational::{Rational, integer, to_f64};
+use courant::analysis::exact::rational::{Rational, from_f64, integer, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
 use courant::reports::advection_profile::{AdvectionRecord, profile_csv, profile_figure};
 use courant::reports::number::significant;
 use courant::reports::publish::OutputDirectory;
 use courant::reports::table::{Align, Table};
 use courant::simulation::advection::AdvectionScheme;
-use courant::simulation::advection::{AdvectionRun, Layout, Method, RunPlan, Scene, run_with};
+use courant::simulation::advection::{
+    AdvectionRun, Discretisation, Layout, Method, PlanError, RunPlan, Scene, run_with,
+};
 use std::time::Instant;
 
 pub const FAMILY: Family = Family { scenes, methods, run };
@@ -115,6 +117,12 @@ pub fn has_scene(name: &str) -> bool {
 
 fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (plan, ratio) = plan(arguments)?;
+    let used = plan.check().map_err(|error| invalid(&error, arguments))?;
+    // Said before it starts: the user may stop it.
+    let beyond = beyond_limit(&plan, &ratio, used);
+    if let Some(warning) = &beyond {
+        complain(&format!("warning: {warning}\n"));
+    }
     let output = OutputDirectory::open(&arguments.out)?;
     let bar = Bar::new(&arguments.scene);
     let start = Instant::now();
@@ -122,7 +130,8 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .map_err(|error| Failure::Message(error.to_string()))?;
     let wall_seconds = start.elapsed().as_secs_f64();
     bar.finish();
-    let record = AdvectionRecord::new(&plan, &ratio, &result, wall_seconds);
+    let mut record = AdvectionRecord::new(&plan, &ratio, &result, wall_seconds);
+    record.run.warnings.extend(beyond);
     let json = serde_json::to_string_pretty(&record)
         .map_err(|error| Failure::Message(error.to_string()))?;
     let mut files = vec![
@@ -146,7 +155,43 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
         print(&format!("\n{}\n", names.join("\n")))?;
     }
-    Ok(Outcome::Yes)
+    Ok(if record.run.completed { Outcome::Yes } else { Outcome::No })
+}
+
+/// A plan that cannot be run, by its options.
+fn invalid(error: &PlanError, arguments: &Arguments) -> Failure {
+    let options = match (error, &arguments.time, &arguments.advection.periods) {
+        (PlanError::Steps(_), Some(time), _) => format!("--time {}: ", to_text(time)),
+        (PlanError::Steps(_), _, Some(periods)) => format!("--periods {}: ", to_text(periods)),
+        _ => String::new(),
+    };
+    Failure::Message(format!("{options}{error}"))
+}
+
+/// What to say where the Courant number is beyond the proved limit of the scheme on the uniform lattice.
+fn beyond_limit(plan: &RunPlan, ratio: &Rational, used: f64) -> Option<String> {
+    let Method { scheme, kernel, .. } = plan.method;
+    let scheme = Discretisation::new(scheme, kernel, ratio.clone()).ok()?;
+    let set = scheme.stable_set();
+    // Equal steps to the end have a Courant number that was rounded.
+    let rounding = from_f64(1.0 - 1e-12)?;
+    let used = from_f64(used)?;
+    if set.contains(&used) || set.contains(&(&used * rounding)) {
+        return None;
+    }
+    let limit = set.limit();
+    let limit = match limit.exact() {
+        _ if !limit.is_positive() => "no step, however small".to_string(),
+        Some(exact) if exact.to_string().len() <= 12 => format!("steps up to C = {exact}"),
+        _ => format!("steps up to C = {}", significant(limit.value(), 6)),
+    };
+    Some(format!(
+        "C = {} is beyond the stability limit of {}: {limit}, by proof, with {} at l/Δξ = {}; waves grow",
+        significant(to_f64(&used), 6),
+        plan.method.scheme.name(),
+        kernel.name(),
+        to_text(ratio)
+    ))
 }
 
 /// The arguments as a plan, and the ratio as it was written.

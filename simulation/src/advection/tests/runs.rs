@@ -132,6 +132,16 @@ fn an_unstable_run_ends_with_a_reason() {
 }
 
 #[test]
+fn a_run_without_end_does_not_start() {
+    let mut plan = plan(AdvectionScheme::GodunovSph, Scene::SquareWave, 10, Layout::Lattice);
+    plan.periods = 1e300;
+    let error = run(&plan).unwrap_err();
+    // Ten particles at the plan's Courant number.
+    assert_eq!(error, PlanError::Steps(10.0 * 1e300 / plan.method.courant_number));
+    assert!(error.to_string().contains("e301 steps"), "{error}");
+}
+
+#[test]
 fn an_observer_may_stop_a_run() {
     let mut plan = plan(AdvectionScheme::GodunovSph, Scene::Step, 100, Layout::Lattice);
     plan.periods = 100.0;

@@ -265,6 +265,47 @@ fn failures_are_results() {
     assert!(Method::Particles(options).run(&scene, 100).is_err());
 }
 
+/// Adaptive SPH with `ε = 1/2`: the smoothing length grows like `ρ^(−1/2)` where the spacing grows like `1/ρ`, so that in
+/// the rarefied middle of the 123 problem the kernel no longer reaches the next particle, at any resolution. With
+/// `ε = 1` it does, and the error falls.
+#[test]
+fn adaptive_sph_converges_where_its_kernel_reaches_the_neighbours() {
+    let scene = Scene::named("ferrari2").expect("it is in the list");
+    let order = |scale, sensitivity| {
+        let mut options = MethodOptions::new(ParticleMethod::Adke);
+        options.estimation = Some(KernelEstimation { scale, sensitivity });
+        let error = |count| error(&scene, &run_scene(&scene, count, options));
+        (error(100) / error(400)).log2() / 2.0
+    };
+    assert!(order(0.7, 0.5) < 0.05, "{}", order(0.7, 0.5));
+    assert!(order(1.0, 1.0) > 0.5, "{}", order(1.0, 1.0));
+    let reach = |sensitivity| {
+        let mut options = MethodOptions::new(ParticleMethod::Adke);
+        options.estimation = Some(KernelEstimation { scale: 0.7, sensitivity });
+        let profile = run_scene(&scene, 200, options).profile;
+        let middle = profile.x.partition_point(|x| *x < 0.5);
+        2.0 * profile.smoothing[middle] / (profile.x[middle] - profile.x[middle - 1])
+    };
+    assert!(reach(0.5) < 1.0 && reach(1.0) > 2.0, "{} {}", reach(0.5), reach(1.0));
+}
+
+/// The first cold particle beside a strong jump gets half of the work that its hot neighbours do in parting from it, with the minus
+/// sign: at every step and every resolution, unless the kernel reaches hardly beyond the next particle.
+#[test]
+fn adaptive_sph_breaks_down_on_test_3_at_any_step() {
+    for courant in [0.3, 0.03] {
+        let run = run("ferrari3", ParticleMethod::Adke, |options| options.courant = courant);
+        let failure = run.failure.expect("it breaks down");
+        let first_cold = run.waiting[0] + 50;
+        assert!(
+            matches!(failure.reason, Reason::InternalEnergy { particle, value } if particle == first_cold && value < 0.0),
+            "{failure}"
+        );
+        assert!(failure.time < 1e-4);
+    }
+    assert!(run("ferrari3", ParticleMethod::Adke, |options| options.eta = 1.5).completed());
+}
+
 /// The rates of adaptive SPH are those of SPH 1; its own are smoothing lengths and densities.
 #[test]
 fn estimated_smoothing_lengths_are_the_plain_sums() {
