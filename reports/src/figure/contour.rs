@@ -65,7 +65,7 @@ impl Field {
     /// The outline of the region where the field is at least `level`: closed rings, counterclockwise around the region
     /// and clockwise around its holes, in the coordinates of the nodes.
     pub fn region_at_least(&self, level: f64) -> Vec<Vec<Point>> {
-        self.on(&self.x, &self.y).region(level)
+        self.on(&self.x, &self.y).regions(&[level]).swap_remove(0)
     }
 
     /// The field seen through a change of both coordinates (an axis): contours are linear in the *new* coordinates.
@@ -119,52 +119,62 @@ const NEIGHBOURS: [(usize, usize); 4] = [(1, 0), (2, 1), (1, 2), (0, 1)];
 type Piece = (u64, u64);
 
 impl Trace<'_> {
-    /// The lines of one value; a closed one repeats its first point.
-    pub(super) fn isolines(&self, level: f64) -> Vec<Vec<Point>> {
-        let mut pieces = Vec::new();
-        self.for_each_cell(level, |cell| cell.crossings(&mut pieces));
-        self.join(pieces, level)
+    /// The lines of each value, which ascend; a closed one repeats its first point.
+    pub(super) fn isolines(&self, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
+        let mut pieces = vec![Vec::new(); levels.len()];
+        self.for_each_cell(levels, |which, cell| cell.crossings(&mut pieces[which]));
+        pieces.into_iter().zip(levels).map(|(pieces, &level)| self.join(pieces, level)).collect()
     }
 
-    pub(super) fn region(&self, level: f64) -> Vec<Vec<Point>> {
-        let mut pieces = Vec::new();
-        self.for_each_cell(level, |cell| {
-            cell.crossings(&mut pieces);
+    /// The outlines of the regions of at least each value, which ascend.
+    pub(super) fn regions(&self, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
+        let mut pieces = vec![Vec::new(); levels.len()];
+        self.for_each_cell(levels, |which, cell| {
+            let pieces = &mut pieces[which];
+            cell.crossings(pieces);
             for (side, (di, dj)) in NEIGHBOURS.into_iter().enumerate() {
                 // A side between two cells would be walked once in each direction: both are left out.
                 if self.kinds[[cell.i + di, cell.j + dj]] == Kind::Blank {
-                    cell.side(side, &mut pieces);
+                    cell.side(side, pieces);
                 }
             }
         });
-        let mut rings = self.join(pieces, level);
-        // Where the level only touches a node a ring is no more than a point.
-        rings.retain(|ring| ring.len() > 3);
-        for ring in &mut rings {
-            ring.pop();
-        }
-        rings
+        let outlines = |(pieces, &level): (Vec<Piece>, &f64)| {
+            let mut rings = self.join(pieces, level);
+            // Where the level only touches a node a ring is no more than a point.
+            rings.retain(|ring| ring.len() > 3);
+            for ring in &mut rings {
+                ring.pop();
+            }
+            rings
+        };
+        pieces.into_iter().zip(levels).map(outlines).collect()
     }
 
-    /// Visits the cells that the level crosses, and the high ones at the rim.
-    fn for_each_cell(&self, level: f64, mut visit: impl FnMut(Cell)) {
+    /// Visits the cells that a level crosses, and the high ones at the rim, with the number of the level: one walk serves all of them.
+    fn for_each_cell(&self, levels: &[f64], mut visit: impl FnMut(usize, Cell)) {
+        debug_assert!(levels.windows(2).all(|pair| pair[0] <= pair[1]), "levels ascend");
+        // How many levels each node reaches. A cell is crossed by those that some of its corners reach and others do not.
+        let reached = self.values.mapv(|value| levels.partition_point(|level| *level <= value));
         for i in 0..self.x.len() - 1 {
-            let (left, right) = (self.values.row(i), self.values.row(i + 1));
+            let (left, right) = (reached.row(i), reached.row(i + 1));
             let kinds = self.kinds.row(i + 1);
             // Iterators rather than indices: this is the inner loop of every map.
             let sides = left.iter().zip(right).map(|(&a, &b)| [a, b]);
             let cells = sides.clone().zip(sides.skip(1)).zip(kinds.iter().skip(1));
             for (j, (([a, b], [d, c]), &kind)) in cells.enumerate() {
-                let high = [a >= level, b >= level, c >= level, d >= level];
-                let skip = match kind {
-                    Kind::Blank => true,
-                    Kind::Inner => high == [high[0]; 4],
-                    Kind::Rim => high == [false; 4],
+                let crossed = match kind {
+                    Kind::Blank => continue,
+                    Kind::Inner => a.min(b).min(c.min(d))..a.max(b).max(c.max(d)),
+                    Kind::Rim => 0..a.max(b).max(c.max(d)),
                 };
-                if !skip {
+                for which in crossed {
+                    let high = [a, b, c, d].map(|reached| reached > which);
                     // Quarters before the sum, so that huge values do not overflow.
-                    let centre_high = 0.25 * a + 0.25 * b + 0.25 * c + 0.25 * d >= level;
-                    visit(Cell { i, j, rows: self.y.len(), high, centre_high });
+                    let quarter = |(di, dj): (usize, usize)| 0.25 * self.values[[i + di, j + dj]];
+                    let centre = CORNERS.into_iter().map(quarter).fold(0.0, |sum, part| sum + part);
+                    let centre_high = centre >= levels[which];
+                    visit(which, Cell { i, j, rows: self.y.len(), high, centre_high });
                 }
             }
         }

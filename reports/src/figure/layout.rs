@@ -7,6 +7,7 @@ use super::{
     geometry::Rect,
     legend,
     panel::{BAR_GAP, Canvas, Drawn, LABEL_GAP, Margins, Panel, Resolved},
+    picture::Picture,
     raster::{self, Raster},
     text::{self, POINT},
     vector::{self, Vector},
@@ -20,6 +21,8 @@ use plotters::{
     },
 };
 use plotters_backend::DrawingBackend;
+use std::sync::OnceLock;
+use tiny_skia::Pixmap;
 
 const FIGURE_TITLE_SIZE: f64 = 10.5;
 /// Between neighbouring panels, beside their labels.
@@ -106,9 +109,13 @@ impl Figure {
     /// # Errors
     /// If an axis has an impossible range, or the panels do not fit.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        raster::png(&self.pixels(&self.no_layers())?)
+    }
+
+    fn pixels(&self, layers: &[OnceLock<Picture>]) -> Result<Pixmap, FigureError> {
         let mut pixels = raster::pixels(self.units())?;
-        self.draw_on(Raster::new(self.units(), &mut pixels))?;
-        raster::png(&pixels)
+        self.draw_on(Raster::new(self.units(), &mut pixels), layers)?;
+        Ok(pixels)
     }
 
     /// The picture as SVG. Axes, titles and legends are text.
@@ -116,18 +123,29 @@ impl Figure {
     /// # Errors
     /// As [`Figure::png`].
     pub fn svg(&self) -> Result<String, FigureError> {
+        self.svg_with(&self.no_layers())
+    }
+
+    fn svg_with(&self, layers: &[OnceLock<Picture>]) -> Result<String, FigureError> {
         let mut document = String::new();
-        self.draw_on(Vector(SVGBackend::with_string(&mut document, self.units())))?;
+        self.draw_on(Vector(SVGBackend::with_string(&mut document, self.units())), layers)?;
         Ok(vector::sized(&document, self.units()))
     }
 
-    /// [PNG](Self::png) and [SVG](Self::svg), drawn at the same time.
+    /// [PNG](Self::png) and [SVG](Self::svg) of the same shapes, which are made once.
     ///
     /// # Errors
     /// As [`Figure::png`].
     pub fn pictures(&self) -> Result<(Vec<u8>, String), FigureError> {
-        let (png, svg) = rayon::join(|| self.png(), || self.svg());
+        let layers = self.no_layers();
+        let pixels = self.pixels(&layers)?;
+        let (png, svg) = rayon::join(|| raster::png(&pixels), || self.svg_with(&layers));
         Ok((png?, svg?))
+    }
+
+    /// Room for the shapes of every panel's layers, which do not depend on the format.
+    fn no_layers(&self) -> Vec<OnceLock<Picture>> {
+        self.panels.iter().map(|_| OnceLock::new()).collect()
     }
 
     /// The size of the canvas.
@@ -136,7 +154,12 @@ impl Figure {
         (units(self.width), units(self.height))
     }
 
-    fn draw_on<DB: DrawingBackend>(&self, backend: DB) -> Result<(), FigureError> {
+    /// Draws; the shapes of the layers are made where they are not there yet.
+    fn draw_on<DB: DrawingBackend>(
+        &self,
+        backend: DB,
+        layers: &[OnceLock<Picture>],
+    ) -> Result<(), FigureError> {
         let (rows, columns) = (self.rows, self.columns);
         if self.panels.len() > rows * columns || self.panels.is_empty() {
             return Err(FigureError::PanelCount { panels: self.panels.len(), rows, columns });
@@ -173,7 +196,8 @@ impl Figure {
             canvas.draw_text(&self.title, &style, (width as i32 / 2, PAGE_MARGIN as i32))?;
             for (k, panel) in panels.iter().enumerate() {
                 let (row, column) = (k / columns, k % columns);
-                panel.draw(&canvas, grid.plot(row, column), grid.margins(row, column))?;
+                let (plot, margins) = (grid.plot(row, column), grid.margins(row, column));
+                panel.draw(&canvas, plot, margins, &layers[k])?;
             }
             if let Some((bar, side)) = &self.color_bar {
                 let (first, last) = (grid.plot(0, 0), grid.plot(rows - 1, columns - 1));

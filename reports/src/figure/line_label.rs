@@ -39,11 +39,8 @@ impl Obstacles {
                     add(&line.points.iter().map(|&p| frame.at(p)).collect::<Vec<_>>());
                 }
                 Layer::Isolines(lines) if !lines.labelled => {
-                    lines
-                        .levels
-                        .iter()
-                        .flat_map(|&l| frame.isolines(&lines.field, l))
-                        .for_each(|l| add(&l));
+                    let all = frame.isolines(&lines.field, &lines.levels);
+                    all.iter().flat_map(|(_, lines)| lines).for_each(|line| add(line));
                 }
                 Layer::Markers(markers) => {
                     markers.points.iter().for_each(|&p| add(&[frame.at(p); 2]));
@@ -83,11 +80,14 @@ impl Obstacles {
                 && inner.contains(b)
                 && self.labels.iter().all(apart)
                 && distance(a, b) >= 0.85 * gap
-                && bend <= 0.3 * size
-                && self.nearest_curve(a, b) > size;
-            clear.then_some((bend / size + 0.25 * (t - 0.5).abs(), start))
+                && bend <= 0.3 * size;
+            clear.then_some((bend / size + 0.25 * (t - 0.5).abs(), [a, b], start))
         };
-        let (_, start) = (0..TRIALS).filter_map(cost).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        // The cheapest first: few are held against all curves.
+        let mut trials: Vec<_> = (0..TRIALS).filter_map(cost).collect();
+        trials.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (.., start) =
+            trials.into_iter().find(|(_, [a, b], _)| self.nearest_curve(*a, *b) > size)?;
         let (mut a, mut b) = (at(line, &lengths, start), at(line, &lengths, start + gap));
         let rest = vec![cut(line, &lengths, 0.0, start), cut(line, &lengths, start + gap, total)];
         if a[0] > b[0] || (a[0] == b[0] && a[1] < b[1]) {

@@ -48,11 +48,20 @@ impl Frame {
         (x, field.y().iter().map(|&y| self.y_at(y)).collect())
     }
 
-    /// The lines of one value of a field, within the panel.
-    pub(super) fn isolines(&self, field: &Field, level: f64) -> Vec<Vec<Point>> {
+    /// The lines of each value of a field, within the panel: values in the order in which they are given.
+    pub(super) fn isolines(&self, field: &Field, levels: &[f64]) -> Vec<(f64, Vec<Vec<Point>>)> {
         let (x, y) = self.nodes(field);
-        let lines = field.on(&x, &y).isolines(level);
-        lines.iter().flat_map(|l| clip_polyline(&simplify(l, TOLERANCE), &self.rect)).collect()
+        let mut ascending: Vec<f64> = levels.to_vec();
+        ascending.sort_by(f64::total_cmp);
+        let lines = field.on(&x, &y).isolines(&ascending);
+        let clipped = |lines: &Vec<Vec<Point>>| {
+            lines.iter().flat_map(|l| clip_polyline(&simplify(l, TOLERANCE), &self.rect)).collect()
+        };
+        let of = |level: &f64| {
+            let which = ascending.partition_point(|other| other.total_cmp(level).is_lt());
+            (*level, clipped(&lines[which]))
+        };
+        levels.iter().map(of).collect()
     }
 }
 
@@ -184,16 +193,22 @@ fn bands(picture: &mut Picture, frame: &Frame, contours: &FilledContours) {
     let FilledContours { field, bands } = contours;
     let (x, y) = frame.nodes(field);
     let trace = field.on(&x, &y);
-    let region = |level: f64| -> Vec<Vec<Point>> {
-        let rings = trace.region(level).into_iter().map(|mut ring| {
+    let edges = bands.edges();
+    // From below all of them up to above the last one: that edge itself belongs to the last band.
+    let levels: Vec<f64> = std::iter::once(f64::NEG_INFINITY)
+        .chain(edges[..edges.len() - 1].iter().copied())
+        .chain(edges.last().map(|last| last.next_up()))
+        .collect();
+    let clipped = |rings: Vec<Vec<Point>>| -> Vec<Vec<Point>> {
+        let rings = rings.into_iter().map(|mut ring| {
             ring.push(ring[0]);
             clip_polygon(&simplify(&ring, TOLERANCE), &frame.rect)
         });
         rings.filter(|ring| ring.len() > 2).collect()
     };
-    let edges = bands.edges();
-    // The last edge belongs to the last band.
-    let above = region(edges[edges.len() - 1].next_up());
+    let levels = if bands.below().is_some() { &levels[..] } else { &levels[1..] };
+    let mut regions: Vec<_> = trace.regions(levels).into_iter().map(clipped).collect();
+    let above = regions.pop().unwrap_or_default();
     // What is not to be painted above the last edge is cut out of every region as a hole.
     let hole: Vec<Vec<Point>> = match bands.above() {
         Some(_) => Vec::new(),
@@ -205,11 +220,9 @@ fn bands(picture: &mut Picture, frame: &Frame, contours: &FilledContours) {
             picture.fill(&rings, color, 1.0);
         }
     };
-    if let Some(color) = bands.below() {
-        paint(region(f64::NEG_INFINITY), color);
-    }
-    for (&edge, &color) in edges.iter().zip(bands.colors()) {
-        paint(region(edge), color);
+    let colors = bands.below().into_iter().chain(bands.colors().iter().copied());
+    for (region, color) in regions.into_iter().zip(colors) {
+        paint(region, color);
     }
     if let Some(color) = bands.above() {
         paint(above, color);
@@ -219,9 +232,9 @@ fn bands(picture: &mut Picture, frame: &Frame, contours: &FilledContours) {
 fn isolines(picture: &mut Picture, frame: &Frame, isolines: &Isolines, labels: &mut Obstacles) {
     let pen = Pen::solid(isolines.color, isolines.width);
     let size = ISOLINE_SIZE * POINT;
-    for &level in &isolines.levels {
+    for (level, lines) in frame.isolines(&isolines.field, &isolines.levels) {
         let value = format_number(level);
-        for line in frame.isolines(&isolines.field, level) {
+        for line in lines {
             let width = text::width(&value, size);
             match isolines.labelled.then(|| labels.place(&line, width, size)).flatten() {
                 Some(place) => {

@@ -20,6 +20,7 @@ use plotters::{
     style::text_anchor::{HPos, VPos},
 };
 use plotters_backend::DrawingBackend;
+use std::sync::OnceLock;
 
 /// What is drawn on, in units of a twentieth of a point.
 pub(super) type Canvas<DB> = DrawingArea<DB, Shift>;
@@ -210,12 +211,14 @@ impl Resolved<'_> {
         Resolved { panel: self.panel, x, y }
     }
 
-    /// Draws the panel with its plot in the rectangle; titles and labels stand around it.
+    /// Draws the panel with its plot in the rectangle; titles and labels stand around it. The shapes of the layers are made where they
+    /// are not there yet.
     pub(super) fn draw<DB: DrawingBackend>(
         &self,
         canvas: &Canvas<DB>,
         plot: Rect,
         margins: Margins,
+        layers: &OnceLock<Picture>,
     ) -> Drawn<DB> {
         let fitted = self.fitted(&plot);
         let units = |v: f64| v.round() as i32;
@@ -250,7 +253,7 @@ impl Resolved<'_> {
         let coordinates = chart.as_coord_spec();
         let (x, y) = (coordinates.x_spec().clone(), coordinates.y_spec().clone());
         let frame = Frame { rect, x, y };
-        canvas.draw(&paint::layers(&frame, &self.panel.layers))?;
+        canvas.draw(layers.get_or_init(|| paint::layers(&frame, &self.panel.layers)))?;
         let mut border = Picture::default();
         border.outline(&rect.corners(), Pen::solid(Color::BLACK, FRAME_WIDTH));
         // Plotters marks only what has a number.

@@ -71,7 +71,7 @@ fn value_on_grid_line(field: &Field, p: Point) -> f64 {
 }
 
 fn isolines(field: &Field, level: f64) -> Vec<Vec<Point>> {
-    field.on(&field.x, &field.y).isolines(level)
+    field.on(&field.x, &field.y).isolines(&[level]).swap_remove(0)
 }
 
 #[test]
