@@ -112,9 +112,9 @@ fn write(
     figure: &Figure,
     data: impl FnOnce() -> Vec<(String, Vec<u8>)> + Send,
 ) -> Result<Outcome, Failure> {
-    let (pictures, data) = rayon::join(|| figure.pictures(), data);
-    let (png, svg) = pictures?;
-    let mut files = vec![(format!("{stem}.png"), png), (format!("{stem}.svg"), svg.into_bytes())];
+    let ((png, svg), data) = rayon::join(|| rayon::join(|| figure.png(), || figure.svg()), data);
+    let (png, svg) = (png?, svg?.into_bytes());
+    let mut files = vec![(format!("{stem}.png"), png), (format!("{stem}.svg"), svg)];
     files.extend(data);
     let written = files.par_iter().map(|(name, bytes)| output.write(name, bytes));
     let paths: Vec<PathBuf> = written.collect::<Result<_, _>>()?;
