@@ -108,7 +108,12 @@ impl Margin {
         let unit = Rational::from(denominator.clone());
         Self {
             series,
-            radius: radius.map(|value| (value * &unit).ceil().to_integer()).collect(),
+            radius: radius
+                .map(|value| match value.is_zero() {
+                    true => BigInt::zero(),
+                    false => (value * &unit).ceil().to_integer(),
+                })
+                .collect(),
             denominator,
             phase_power: 0,
             complement_power: 0,
