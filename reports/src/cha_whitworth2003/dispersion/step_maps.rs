@@ -2,7 +2,7 @@
 
 use super::super::{Detail, ReportError};
 use super::{integrator, lattice, text};
-use crate::figure::{Figure, Side};
+use crate::figure::Figure;
 use crate::page::Item;
 use crate::step_map::{StepMap, step_map};
 use courant_analysis::exact::rational::integer;
@@ -22,7 +22,7 @@ pub fn item(detail: Detail) -> Result<Item, ReportError> {
     let ratios = even_axis(&integer(1), &integer(2), count);
     let alphas: Vec<f64> = (0..count).map(|i| 3.0 * i as f64 / (count - 1) as f64).collect();
     let viscous = lattice("sph-av", Kernel::CubicSpline, &integer(1))?;
-    let mut figure = Figure::grid(PARTICLE_INTEGRATORS.len().div_ceil(3), 3).size(8.2, 10.6);
+    let mut figure = Figure::grid(PARTICLE_INTEGRATORS.len().div_ceil(2), 2).size(8.0, 13.2);
     let mut data = Vec::new();
     let mut maps = Vec::new();
     for (index, integrator) in PARTICLE_INTEGRATORS.map(integrator).into_iter().enumerate() {
@@ -34,6 +34,6 @@ pub fn item(detail: Detail) -> Result<Item, ReportError> {
         data.extend(map.data_files(&format!("stable_step_{}", integrator.name)));
         maps.push(map);
     }
-    let figure = figure.color_bar(StepMap::color_bar(&maps)?, Side::Right);
+    let figure = figure.color_bar(StepMap::color_bar(&maps)?);
     Ok(text().figure("stable_step_maps", &[], figure, data))
 }

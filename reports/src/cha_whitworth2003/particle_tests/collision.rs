@@ -10,7 +10,7 @@ use courant_simulation::particles::{Flow, MethodOptions, ParticleMethod, Particl
 use courant_simulation::riemann::State;
 
 const SCENES: [(&str, &str); 2] =
-    [("collision-subsonic", "0.6 c"), ("collision-supersonic", "1.2 c")];
+    [("collision-subsonic", "each at 0.6 c"), ("collision-supersonic", "each at 1.2 c")];
 const METHODS: [(ParticleMethod, &str); 2] =
     [(ParticleMethod::Gph3, "GPH case 3"), (ParticleMethod::Sph1, "SPH 1")];
 
@@ -37,9 +37,14 @@ pub(super) fn figure(runs: &Runs) -> Item {
             ];
             let mut panel = Panel::new(
                 Axis::linear("x").range(-HALF_WIDTH, HALF_WIDTH),
-                Axis::linear(Quantity::Density.label()),
+                // All four on one scale, to be compared.
+                Axis::linear(Quantity::Density.label()).range(0.95, 1.85),
             )
-            .title(format!("{title}, {speed}"))
+            .title(format!(
+                "({}) {title}, streams {speed}, t = {}",
+                char::from(b'a' + panels.len() as u8),
+                run.time
+            ))
             .layer(exact_line(&scene, Quantity::Density, run.time));
             for (marker, color, label, range) in sides {
                 let shown = range.filter(|&i| run.profile.x[i].abs() <= HALF_WIDTH);
@@ -61,7 +66,7 @@ pub(super) fn figure(runs: &Runs) -> Item {
     let gph = runs.get(SCENES[0].0, ParticleMethod::Gph3);
     let words =
         words!["particles" = gph.run.profile.len(), "settings" = Solved::settings(&gph.options),];
-    let figure = Figure::grid(2, 2).size(7.0, 5.2).panels(panels).legend_below();
+    let figure = Figure::grid(2, 2).size(7.4, 5.4).panels(panels).legend_below();
     text().figure("figure_27", words, figure, data)
 }
 

@@ -5,6 +5,7 @@ use super::{Detail, text};
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::Item;
+use crate::particle_profile::method_title;
 use crate::{cells, words};
 use courant_simulation::particles::{MethodOptions, ParticleMethod, ParticleScene};
 
@@ -49,9 +50,9 @@ pub(super) fn items(runs: &Runs, detail: Detail) -> [Item; 2] {
             curve.extend(error.map(|error| (pairs as f64, error)));
             before = error;
         }
-        let (color, label) = (Color::qualitative(i), method.name());
+        let (color, label) = (Color::qualitative(i), method_title(method));
         panel = panel
-            .layer(Line::new(curve.clone()).color(color).dash(Dash::nth(i)).label(label))
+            .layer(Line::new(curve.clone()).color(color).dash(Dash::nth(i)).label(&label))
             .layer(
                 Markers::new(curve, Marker::nth(i))
                     .color(color)

@@ -4,7 +4,7 @@ use super::runs::{EARLY, Runs, Solved};
 use super::text;
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::page::Item;
-use crate::particle_profile::{Quantity, exact_line, profile_csv};
+use crate::particle_profile::{Quantity, exact_line, method_title, profile_csv};
 use crate::words;
 use courant_simulation::particles::ParticleMethod;
 
@@ -39,8 +39,8 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
                 Markers::new(points, marker)
                     .color(color)
                     .open()
-                    .size(2.4)
-                    .width(0.55)
+                    .size(2.3)
+                    .width(0.6)
                     .label(format!("particles, t = {}", run.time)),
             );
             let exact = exact_line(scene, quantity, run.time);
@@ -70,7 +70,11 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
     let data = snapshots.iter().zip(["early", "late"]).map(|(solved, when)| {
         (format!("{name}_{when}.csv"), profile_csv(&solved.scene, &solved.run, true))
     });
-    let figure = Figure::grid(2, 1).size(5.2, 5.4).panels(panels).legend_below();
+    let figure = Figure::grid(2, 1)
+        .size(5.6, 5.7)
+        .title(format!("Isothermal sound wave, {}", method_title(method)))
+        .panels(panels)
+        .legend_below();
     text().figure(&name, words!["caption" = caption], figure, data.collect())
 }
 

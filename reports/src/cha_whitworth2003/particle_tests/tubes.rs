@@ -3,7 +3,7 @@
 use super::runs::{Runs, Solved};
 use super::{CASES, text};
 use crate::page::Section;
-use crate::particle_profile::{profile_csv, profile_figure};
+use crate::particle_profile::{method_title, profile_csv, profile_figure};
 use crate::words;
 
 /// The scene of four figures, one for each case: the number of the first, and the states on both sides.
@@ -46,7 +46,8 @@ pub(super) fn section(runs: &Runs, (scene, first, initial): Tube) -> Section {
             ],
         );
         let data = vec![(format!("{name}.csv"), profile_csv(scene, run, solved.has_exact()))];
-        let figure = profile_figure(scene, run, solved.has_exact());
+        let figure = profile_figure(scene, run, solved.has_exact())
+            .title(format!("{of}, {}, {outcome}", method_title(method)));
         text().figure(&name, words!["caption" = caption], figure, data)
     });
     text().section(&title, figures.collect())
