@@ -5,6 +5,7 @@ pub mod adaptive_sph;
 pub mod advection;
 pub mod comparison;
 pub mod finite_volume;
+pub mod gravity;
 pub mod lagrangian;
 pub mod method;
 pub mod particles;

@@ -5,6 +5,7 @@
 //! compile-time constant that the pair forces do not know.
 
 mod block_steps;
+mod body_force;
 mod cells;
 mod density;
 mod domain;
@@ -27,6 +28,7 @@ mod vector;
 mod viscous;
 
 pub use block_steps::BlockStepper;
+pub use body_force::BodyForce;
 pub use density::Smoothing;
 pub use domain::{Boundary, Domain, Image};
 pub use gas::{Gas, IsothermalGas};
@@ -44,9 +46,11 @@ pub use ring::{Amplification, Ring};
 pub use run::run_particles;
 pub use scene::{Flow, Material, ParticleScene};
 pub use smoothing_kernel::{RadialKernel, SmoothingKernel};
+pub(crate) use system::keep_only;
 pub use system::{Counters, ParticleSystem, Particles};
 pub use thermal::ThermalState;
 pub use vector::Vector;
+pub(crate) use vector::{dot, plus_scaled};
 pub use viscous::{ActsOn, PressureForm, Smoothed, Viscosity};
 
 #[cfg(test)]
