@@ -3,10 +3,12 @@
 
 pub mod adaptive_sph;
 pub mod advection;
+pub mod boundary;
 pub mod comparison;
 pub mod finite_volume;
 pub mod gravity;
 pub mod lagrangian;
+pub mod march;
 pub mod method;
 pub mod particles;
 pub mod riemann;
