@@ -63,13 +63,6 @@ impl<S: MaybeSink> SelfGravity<S> {
         }
     }
 
-    /// The acceleration of a particle, as of the last update.
-    #[inline]
-    pub fn acceleration(&self, particle: usize) -> Vector<3> {
-        let gas = self.acceleration[particle];
-        self.pull.get(particle).map_or(gas, |pull| plus_scaled(&gas, 1.0, pull))
-    }
-
     /// `|Σ m a|/Σ m |a|` of the gas on itself, as of the last update: zero if all forces came in opposite pairs.
     pub fn net_force(&self, masses: &[f64]) -> f64 {
         let (mut sum, mut sizes) = ([0.0; 3], 0.0);
@@ -81,10 +74,11 @@ impl<S: MaybeSink> SelfGravity<S> {
     }
 
     /// `½ Σ m φ`, the sink included: the energy of the attraction.
-    pub fn energy<T: ThermalState>(&mut self, particles: &Particles<3, T>) -> f64 {
+    pub fn energy<T: ThermalState>(&self, particles: &Particles<3, T>) -> f64 {
         let bodies = bodies(particles);
-        self.tree.build(&bodies);
-        let (tree, constant, sink) = (&self.tree, self.constant, &self.sink);
+        let mut tree = Octree::default();
+        tree.build(&bodies);
+        let (tree, constant, sink) = (&tree, self.constant, &self.sink);
         let mut each = Vec::new();
         (0..particles.len())
             .into_par_iter()
@@ -139,6 +133,12 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
             }
         }
         self.sink.look(particles, &active, self.constant, &mut self.pull, &mut self.marked);
+    }
+
+    #[inline]
+    fn acceleration(&self, particle: usize) -> Vector<3> {
+        let gas = self.acceleration[particle];
+        self.pull.get(particle).map_or(gas, |pull| plus_scaled(&gas, 1.0, pull))
     }
 
     #[inline]

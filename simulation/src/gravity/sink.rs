@@ -91,6 +91,9 @@ impl Sink {
 
 /// A sink or none, `()`.
 pub trait MaybeSink: Clone + std::fmt::Debug + Send + Sync {
+    /// The sink, if it is one.
+    fn state(&self) -> Option<&Sink>;
+
     /// The potential over `G` at `x`.
     fn potential(&self, x: &Vector<3>) -> f64;
 
@@ -120,6 +123,10 @@ pub trait MaybeSink: Clone + std::fmt::Debug + Send + Sync {
 }
 
 impl MaybeSink for () {
+    fn state(&self) -> Option<&Sink> {
+        None
+    }
+
     #[inline]
     fn potential(&self, _: &Vector<3>) -> f64 {
         0.0
@@ -145,6 +152,10 @@ impl MaybeSink for () {
 }
 
 impl MaybeSink for Sink {
+    fn state(&self) -> Option<&Sink> {
+        Some(self)
+    }
+
     fn potential(&self, x: &Vector<3>) -> f64 {
         self.depth(x)
     }

@@ -17,8 +17,11 @@ pub trait BodyForce<const D: usize>: Sync {
         active: impl Fn(usize) -> bool + Sync,
     );
 
-    /// The change of velocity of a particle of that mass in a time, by its acceleration of the last update. Whatever
-    /// exerts it takes the reaction.
+    /// The acceleration of a particle, as of its last update.
+    fn acceleration(&self, particle: usize) -> Vector<D>;
+
+    /// The change of velocity by that acceleration in a time, of a particle of that mass. Whatever exerts it takes the
+    /// reaction.
     fn impulse(&mut self, particle: usize, mass: f64, duration: f64) -> Vector<D>;
 
     /// The longest step for a particle of smoothing length `h`: the Courant number times the time in which it would fall
@@ -41,6 +44,11 @@ pub trait BodyForce<const D: usize>: Sync {
 impl<const D: usize> BodyForce<D> for () {
     #[inline]
     fn update<T: ThermalState>(&mut self, _: &Particles<D, T>, _: impl Fn(usize) -> bool + Sync) {}
+
+    #[inline]
+    fn acceleration(&self, _: usize) -> Vector<D> {
+        [0.0; D]
+    }
 
     #[inline]
     fn impulse(&mut self, _: usize, _: f64, _: f64) -> Vector<D> {

@@ -7,7 +7,9 @@
 mod block_steps;
 mod body_force;
 mod cells;
+mod confined;
 mod density;
+mod dispatch;
 mod domain;
 mod evolution;
 mod gas;
@@ -30,7 +32,9 @@ mod viscous;
 
 pub use block_steps::BlockStepper;
 pub use body_force::BodyForce;
+pub use confined::Confined;
 pub use density::Smoothing;
+pub(crate) use dispatch::{Task, dispatch};
 pub use domain::{Domain, Image};
 pub use evolution::{ParticleEvolution, Stepping};
 pub use gas::{Gas, IsothermalGas};
