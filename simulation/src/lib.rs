@@ -8,6 +8,7 @@ pub mod comparison;
 pub mod finite_volume;
 pub mod gravity;
 pub mod lagrangian;
+pub mod lattice;
 pub mod march;
 pub mod method;
 pub mod particles;

@@ -162,7 +162,7 @@ impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> Evolution
                     .map(|(i, &h)| body.longest_step(i, *courant, h))
                     .fold(*courant * stepper.crossing_time(system), f64::min)
             }
-            Stepping::Blocks(stepper) => stepper.begin(system, force, body),
+            Stepping::Blocks(stepper) => stepper.begin(system, body),
         })
     }
 
