@@ -2,7 +2,6 @@
 
 use crate::figure::{
     Axis, Bands, ColorBar, ColorMap, Field, Figure, FigureError, FilledContours, Isolines, Panel,
-    Side,
 };
 use crate::npy;
 use courant_analysis::exact::rational::{Rational, to_f64};
@@ -90,7 +89,7 @@ impl StepMap {
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
         Ok(Figure::single(self.panel(title)?)
             .size(5.2, 4.0)
-            .color_bar(Self::color_bar(std::slice::from_ref(self))?, Side::Right))
+            .color_bar(Self::color_bar(std::slice::from_ref(self))?))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.
