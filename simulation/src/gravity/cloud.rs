@@ -1,10 +1,11 @@
 //! Scenes of a self-gravitating sphere, as data.
 
+use super::expansion_wave::{ExpansionWave, Similarity};
 use super::sphere::Distribution;
 use crate::particles::{IsothermalGas, Material};
 use crate::riemann::IdealGas;
 use serde::Deserialize;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The gas of a cloud.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -242,5 +243,59 @@ impl Cloud {
             ),
             Material::Ideal(_) => None,
         }
+    }
+
+    /// The speed of sound, where there is one.
+    pub fn sound_speed(&self) -> Option<f64> {
+        match self.material {
+            Material::Isothermal(gas) => Some(gas.sound_speed),
+            Material::Ideal(_) => None,
+        }
+    }
+
+    /// `G M/(m0 c³)`: the time in which the expansion wave's constant rate would take up everything.
+    pub fn collapse_time(&self) -> Option<f64> {
+        let unit = self.sound_speed()?.powi(3) / self.constant;
+        Some(self.mass / (ExpansionWave::solution().core_mass() * unit))
+    }
+
+    /// How long before the run the wave left the centre: at its start it is at the surface of the sink, inside
+    /// of which nothing is simulated.
+    pub fn wave_start(&self) -> Option<f64> {
+        Some(self.sink? / self.sound_speed()?)
+    }
+
+    /// The expansion wave at a radius and a time simulated, if that is what the cloud does.
+    pub fn wave(&self, r: f64, time: f64) -> Option<Similarity> {
+        let (sound, start) = (self.sound_speed()?, self.wave_start()?);
+        if self.known != Some(Known::ExpansionWave) {
+            return None;
+        }
+        let state = ExpansionWave::solution().state(r, sound * (time + start));
+        let unit = sound * sound / self.constant;
+        Some(Similarity {
+            density: unit * state.density,
+            velocity: sound * state.velocity,
+            mass: unit * state.mass,
+        })
+    }
+
+    /// The part of its radius that a uniform cold sphere has after falling for a time: `cos²η` with
+    /// `η + sin 2η/2 = √(2GM/R³) t`; 0 from the free-fall time on.
+    pub fn fallen(&self, time: f64) -> f64 {
+        let phase = (2.0 * self.constant * self.mass / self.radius.powi(3)).sqrt() * time;
+        let (mut low, mut high) = (0.0, FRAC_PI_2);
+        while high - low > 1e-15 {
+            let middle: f64 = 0.5 * (low + high);
+            if middle + 0.5 * (2.0 * middle).sin() < phase {
+                low = middle
+            } else {
+                high = middle
+            }
+            if middle == low && middle == high {
+                break;
+            }
+        }
+        low.cos().powi(2)
     }
 }

@@ -1,6 +1,7 @@
 //! The run of a cloud, and what comes of it.
 
 use super::cloud::Cloud;
+use super::measures::Head;
 use super::self_gravity::SelfGravity;
 use super::sink::{MaybeSink, Sink, cross};
 use super::sphere::{ball, relax};
@@ -56,10 +57,12 @@ impl Energies {
 pub struct CloudRun {
     /// Time and mass of the sink, after every step.
     pub core: Vec<[f64; 2]>,
-    /// Energies at the start, at the end, and about [`SAMPLES`] times between.
+    /// Energies at the start, at the end, and, where there is an energy equation, about [`SAMPLES`] times between.
     pub energies: Vec<Energies>,
     /// The gas at the times asked for, and at the end.
     pub snapshots: Vec<Snapshot>,
+    /// The head of the wave, if the run came to it.
+    pub head: Option<Head>,
     /// Total momentum at the end, over `√(G M³/R)`.
     pub momentum: f64,
     /// Total angular momentum at the end, over `√(G M³ R)`.
@@ -79,8 +82,7 @@ pub struct CloudRun {
 /// How often energies are summed up in a run.
 pub const SAMPLES: usize = 50;
 /// Steps of the relaxation of a cloud in equilibrium.
-pub static RELAXATION_STEPS: std::sync::atomic::AtomicUsize =
-    std::sync::atomic::AtomicUsize::new(60);
+const RELAXATION_STEPS: usize = 60;
 
 /// Runs a cloud to its end time. `snapshots` are times at which the gas is kept (the first step that reaches each), and
 /// `observe` hears the time simulated.
@@ -179,11 +181,7 @@ impl Plan<'_> {
         );
         if cloud.equilibrium {
             // What goes wrong here goes wrong in the first step, which says so.
-            let _ = relax(
-                &mut system,
-                force,
-                RELAXATION_STEPS.load(std::sync::atomic::Ordering::Relaxed),
-            );
+            let _ = relax(&mut system, force, RELAXATION_STEPS);
         }
         system
     }
@@ -209,14 +207,18 @@ impl Plan<'_> {
         let start = evolution.time_step();
         let mut core = Vec::new();
         let mut energies = vec![energies_of(&evolution, 0.0)];
-        let mut kept = Vec::new();
+        let has_energy = energies[0].thermal.is_some();
+        let (mut kept, mut head) = (Vec::new(), None);
         let end = cloud.end_time;
         core.extend(evolution.body().sink.state().map(|sink| [0.0, sink.mass]));
         let limits = Limits { steps: options.max_steps as usize };
         debug_assert!(start.is_ok());
         let march = march(&mut evolution, end, limits, |state, time| {
             core.extend(state.body().sink.state().map(|sink| [time, sink.mass]));
-            if time >= end / SAMPLES as f64 * energies.len() as f64 {
+            if head.is_none() && cloud.head_time().is_some_and(|wanted| time >= wanted) {
+                head = cloud.head(&snapshot(state, time));
+            }
+            if has_energy && time >= end / SAMPLES as f64 * energies.len() as f64 {
                 energies.push(energies_of(state, time));
             }
             if snapshots.get(kept.len()).is_some_and(|&wanted| time >= wanted) {
@@ -225,6 +227,7 @@ impl Plan<'_> {
             observe(time)
         });
         kept.push(snapshot(&evolution, march.time));
+        energies.push(energies_of(&evolution, march.time));
         let system = evolution.system();
         let (mut momentum, mut turning) = (system.momentum(), [0.0; 3]);
         let state = &system.particles;
@@ -242,6 +245,7 @@ impl Plan<'_> {
             core,
             energies,
             snapshots: kept,
+            head,
             momentum: dot(&momentum, &momentum).sqrt() / unit * cloud.radius.sqrt(),
             angular_momentum: dot(&turning, &turning).sqrt() / unit / cloud.radius.sqrt(),
             steps: evolution.substeps().unwrap_or(march.steps as u64),

@@ -62,6 +62,11 @@ impl Distribution {
         }
     }
 
+    /// The radius that holds a part of the mass, over that of the sphere.
+    pub fn radius_of(self, part: f64) -> f64 {
+        self.radii(std::iter::once(part))[0]
+    }
+
     /// The part of the mass inside a part of the radius.
     pub fn mass_inside(self, radius: f64) -> f64 {
         match self {
