@@ -81,27 +81,31 @@ fn a_cold_sphere_falls_like_the_cycloid_with_steps_of_any_kind() {
         assert!(measures["energy"] < 0.03 && measures["angular_momentum"] < 1e-3, "{measures:?}");
         assert!(run.momentum < 1e-3);
     }
-    // One level is one global step, twice the same code.
+    // One level is one global step; halved steps agree with it to their first order.
     let [one, blocks, global, _] = &runs;
-    assert_eq!(one.snapshots, global.snapshots);
     let last = |run: &CloudRun| *run.energies.last().expect("there is one at the end");
-    let (a, b) = (last(one), last(blocks));
-    assert!((a.kinetic / b.kinetic - 1.0).abs() < 0.05 && (a.potential / b.potential - 1.0).abs() < 0.02);
+    let (a, b, c) = (last(one), last(blocks), last(global));
+    assert!((a.kinetic / c.kinetic - 1.0).abs() < 1e-9 && (a.potential / c.potential - 1.0).abs() < 1e-9);
+    assert!(
+        (a.kinetic / b.kinetic - 1.0).abs() < 0.05
+            && (a.potential / b.potential - 1.0).abs() < 0.02
+    );
 }
 
 #[test]
 fn evrard_s_sphere_bounces_and_keeps_its_energy() {
-    let cloud = Cloud { end_time: 1.4, ..Cloud::named("evrard").expect("it is in the list") };
-    let run = run(&cloud, 600, &options(ParticleMethod::Sph1, 1));
+    let cloud = Cloud { end_time: 1.3, ..Cloud::named("evrard").expect("it is in the list") };
+    let run = run(&cloud, 600, &options(ParticleMethod::Sph1, 0));
     let measures = run.measures(&cloud);
     assert!(run.failure.is_none());
     // −2/3 + 0.05, softened; the peak of the thermal energy is 1.1 to 1.3 at t = 1.1 to 1.3 in the literature (Steinmetz & Müller
     // 1993, Springel 2005), more with few particles.
     assert!((run.energies[0].total().expect("there is an energy equation") + 0.6).abs() < 0.01);
-    assert!(measures["energy"] < 0.05, "{measures:?}");
+    assert!(measures["energy"] < 0.04, "{measures:?}");
     assert!((1.1..1.4).contains(&measures["peak_thermal_energy"]), "{measures:?}");
-    let peak = run.energies.iter().max_by(|a, b| a.thermal.partial_cmp(&b.thermal).expect("numbers"));
-    assert!((1.0..1.4).contains(&peak.expect("there are some").time));
+    let peak =
+        run.energies.iter().max_by(|a, b| a.thermal.partial_cmp(&b.thermal).expect("numbers"));
+    assert!((1.0..1.31).contains(&peak.expect("there are some").time));
 }
 
 #[test]
