@@ -52,7 +52,7 @@ impl StepMap {
     /// When the axes have too few points to draw.
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
         let field = Field::new(self.ratios.clone(), self.alphas.clone(), self.steps.clone())?;
-        let levels = [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6];
+        let levels = [0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6];
         Ok(Panel::new(
             Axis::linear("smoothing ratio h/Δ").spanning(&self.ratios),
             Axis::linear("viscosity α").spanning(&self.alphas),

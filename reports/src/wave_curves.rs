@@ -29,8 +29,8 @@ pub struct WaveCurve {
 pub struct DirectionCurve {
     /// Which colour.
     pub color: usize,
-    /// Which dash pattern.
-    pub dash: usize,
+    /// Which of the wavelengths: the first is drawn boldest.
+    pub rank: usize,
     /// The wavelength in cells.
     pub wavelength: f64,
     /// Angle in degrees and what happens there.
@@ -219,8 +219,10 @@ fn against_direction(
     for curve in curves {
         let points: Vec<(f64, f64)> =
             curve.waves.iter().map(|(angle, w)| (*angle, of(w).unwrap_or(f64::NAN))).collect();
-        let color = Color::qualitative(curve.color);
-        panel = panel.layer(Line::new(points).color(color).dash(Dash::nth(curve.dash)).width(1.2));
+        // Dashes tell directions in the other panels: here lengths are told by weight, and named.
+        let fades = 0.28 * curve.rank as f64;
+        let color = Color::qualitative(curve.color).mix(Color::WHITE, fades);
+        panel = panel.layer(Line::new(points).color(color).width(1.8 - 1.6 * fades));
     }
     for curve in curves.iter().filter(|curve| curve.color == curves[0].color) {
         // Beside the first line of each length.

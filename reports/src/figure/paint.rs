@@ -4,7 +4,7 @@ use super::{
     axis::Axis,
     color::Color,
     field::Field,
-    geometry::{Point, Rect, clip, simplify},
+    geometry::{Point, Rect, clip, distance, simplify},
     isoline_label::Obstacles,
     layer::{Dash, FilledContours, Isolines, Layer, Line, Marker, Markers},
     text::{self, POINT},
@@ -176,10 +176,11 @@ impl Frame<'_> {
         field.on(x, field.y.iter().map(|&y| self.at([f64::NAN, y])[1].clamp(top, bottom)).collect())
     }
 
-    /// The lines of one value of a field.
+    /// The lines of one value of a field, without specks: islands no larger than a letter.
     pub(super) fn isolines(&self, field: &Field, level: f64) -> Vec<Vec<Point>> {
         let lines = self.field(field).isolines(level);
-        lines.iter().map(|line| simplify(line, TOLERANCE)).collect()
+        let far = |line: &&Vec<Point>| line.iter().any(|&p| distance(p, line[0]) > 6.0 * POINT);
+        lines.iter().filter(far).map(|line| simplify(line, TOLERANCE)).collect()
     }
 }
 

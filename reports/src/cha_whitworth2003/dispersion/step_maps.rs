@@ -23,7 +23,7 @@ pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError>
     let alphas: Vec<f64> = (0..rows).map(|i| 3.0 * i as f64 / (rows - 1) as f64).collect();
     let viscous = lattice("sph-av", Kernel::CubicSpline, &integer(1))?;
     let count = PARTICLE_INTEGRATORS.len();
-    let mut figure = Figure::grid(count.div_ceil(3), 3).size(8.2, 10.6);
+    let mut figure = Figure::grid(count.div_ceil(2), 2).size(8.0, 13.2);
     let mut data = Vec::new();
     let mut maps = Vec::new();
     for (index, integrator) in PARTICLE_INTEGRATORS.map(integrator).into_iter().enumerate() {
