@@ -85,7 +85,10 @@ fn a_cold_sphere_falls_like_the_cycloid_with_steps_of_any_kind() {
     let [one, blocks, global, _] = &runs;
     let last = |run: &CloudRun| *run.energies.last().expect("there is one at the end");
     let (a, b, c) = (last(one), last(blocks), last(global));
-    assert!((a.kinetic / c.kinetic - 1.0).abs() < 1e-9 && (a.potential / c.potential - 1.0).abs() < 1e-9);
+    assert!(
+        (a.kinetic / c.kinetic - 1.0).abs() < 1e-9
+            && (a.potential / c.potential - 1.0).abs() < 1e-9
+    );
     assert!(
         (a.kinetic / b.kinetic - 1.0).abs() < 0.05
             && (a.potential / b.potential - 1.0).abs() < 0.02
