@@ -103,7 +103,8 @@ pub fn run_cloud(
     dispatch(cloud.material, options, Plan { cloud, particles, options, snapshots, observe })
 }
 
-/// Options of a cloud: about 50 neighbours, and block steps where the method has them.
+/// The options of a method with what is customary for clouds: about 50 neighbours, block steps of at most eight halvings, 0.4 of the
+/// crossing time. The paper says the first two; SPH is then first order in time too.
 pub fn cloud_options(mut options: MethodOptions) -> MethodOptions {
     options.eta = 1.145;
     options.sharing = StepSharing::Block { levels: 8 };
@@ -203,8 +204,8 @@ impl Plan<'_> {
             }
         };
         let mut evolution = evolution.under(gravity);
-        // The fields of the start, for its energies.
-        let start = evolution.time_step();
+        // For the fields at the start; what is wrong with them the march finds again.
+        let _ = evolution.time_step();
         let mut core = Vec::new();
         let mut energies = vec![energies_of(&evolution, 0.0)];
         let has_energy = energies[0].thermal.is_some();
@@ -212,7 +213,6 @@ impl Plan<'_> {
         let end = cloud.end_time;
         core.extend(evolution.body().sink.state().map(|sink| [0.0, sink.mass]));
         let limits = Limits { steps: options.max_steps as usize };
-        debug_assert!(start.is_ok());
         let march = march(&mut evolution, end, limits, |state, time| {
             core.extend(state.body().sink.state().map(|sink| [time, sink.mass]));
             if head.is_none() && cloud.head_time().is_some_and(|wanted| time >= wanted) {

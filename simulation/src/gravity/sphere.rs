@@ -151,11 +151,11 @@ pub fn relax<G: Gas, F: PairForce>(
         system.rates(force, &mut rates)?;
         let sound = system.sound_speed().to_vec();
         let state = &mut system.particles;
-        for i in 0..state.len() {
+        for (i, sound) in sound.iter().enumerate() {
             let push = &rates.acceleration[i];
             let h = state.smoothing[i];
             // A wave as short as the spacing has ω h/c of about 3: a step below 2/9 (h/c)² damps it.
-            let step = (RELAXATION * (h / sound[i]).powi(2)).min(0.1 * h / size(push));
+            let step = (RELAXATION * (h / sound).powi(2)).min(0.1 * h / size(push));
             state.position[i] = plus_scaled(&state.position[i], step, push);
         }
         let mut order: Vec<(f64, usize)> =
