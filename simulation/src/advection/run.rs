@@ -130,9 +130,8 @@ impl RunPlan {
             return Err(PlanError::Periods(self.periods));
         }
         match equal_steps(self) {
-            // Written so that an overflow is refused too.
-            (steps, _) if !(steps <= MOST_STEPS) => Err(PlanError::Steps(steps)),
-            (_, courant_number) => Ok(courant_number),
+            (steps, courant_number) if steps <= MOST_STEPS => Ok(courant_number),
+            (steps, _) => Err(PlanError::Steps(steps)),
         }
     }
 }

@@ -1,22 +1,18 @@
 //! A scene and a method made particles that march.
 
+use super::dispatch::{Task, dispatch};
 use super::domain::Domain;
 use super::evolution::ParticleEvolution;
 use super::gas::Gas;
-use super::godunov::Godunov;
 use super::integrator::{Nystrom, Work, table};
-use super::method::{MethodOptions, ParticleMethod, SolverChoice, StepSharing};
+use super::method::{MethodOptions, StepSharing};
 use super::pair_force::PairForce;
-use super::pair_weight::{Convolution, OwnKernels, Product, SumOfSquares};
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use super::thermal::ThermalState;
-use super::viscous::{PressureForm, Smoothed};
 use crate::method::Start;
-use crate::riemann::isothermal::{Expansion, Isothermal};
-use crate::riemann::{ExactIdeal, StarSolver, Stopping, VanLeer};
 use crate::run::{Counters, Flowing, InvalidOptions, Profile, Promise, Totals};
-use crate::scene::{Material, Scene};
+use crate::scene::Scene;
 
 /// The particles of a scene at the start: about so many in the domain, for layers get whole ones.
 pub(crate) fn start(
@@ -25,53 +21,26 @@ pub(crate) fn start(
     options: &MethodOptions,
 ) -> Result<Start, InvalidOptions> {
     let table = table(options.integrator)?;
-    let plan = (scene, particles, options, &table);
-    Ok(match scene.material {
-        Material::Isothermal(gas) => {
-            let expansion = match options.solver {
-                SolverChoice::Published => Expansion::AsShock,
-                SolverChoice::Converged | SolverChoice::Exact => Expansion::Exact,
-            };
-            let solver = Isothermal { sound_speed: gas.sound_speed, expansion };
-            with_solver(plan, gas, solver)
-        }
-        Material::Ideal(gas) => {
-            let van_leer = |stopping| VanLeer { gas, stopping };
-            match options.solver {
-                SolverChoice::Published => with_solver(plan, gas, van_leer(Stopping::Published)),
-                SolverChoice::Converged => with_solver(plan, gas, van_leer(Stopping::Converged)),
-                SolverChoice::Exact => with_solver(plan, gas, ExactIdeal(gas)),
-            }
-        }
-    })
+    Ok(dispatch(scene.material, options, Plan { scene, particles, options, table: &table }))
 }
 
-/// A scene, how many particles, options, and the table of their integrator.
-type Plan<'a> = (&'a Scene, usize, &'a MethodOptions, &'a Nystrom<f64>);
+struct Plan<'a> {
+    scene: &'a Scene,
+    particles: usize,
+    options: &'a MethodOptions,
+    table: &'a Nystrom<f64>,
+}
 
-fn with_solver<G: Gas + 'static, S: StarSolver + Send + 'static>(
-    plan: Plan<'_>,
-    gas: G,
-    solver: S,
-) -> Start {
-    let options = plan.2;
-    let smoothed = |form| Smoothed { form, viscosity: options.viscosity };
-    match options.method {
-        ParticleMethod::Gph1 => prepare(plan, gas, Godunov { weight: SumOfSquares, solver }),
-        ParticleMethod::Gph2 => prepare(plan, gas, Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => prepare(plan, gas, Godunov { weight: OwnKernels, solver }),
-        ParticleMethod::Gph4 => {
-            prepare(plan, gas, Godunov { weight: Convolution(options.volume), solver })
-        }
-        ParticleMethod::Sph1 | ParticleMethod::Adke => {
-            prepare(plan, gas, smoothed(PressureForm::Sum))
-        }
-        ParticleMethod::Sph2 => prepare(plan, gas, smoothed(PressureForm::Geometric)),
+impl Task for Plan<'_> {
+    type Output = Start;
+
+    fn run<G: Gas + 'static, F: PairForce + Send + 'static>(self, gas: G, force: F) -> Start {
+        prepare(self, gas, force)
     }
 }
 
 fn prepare<G: Gas + 'static, F: PairForce + Send + 'static>(
-    (scene, particles, options, table): Plan<'_>,
+    Plan { scene, particles, options, table }: Plan<'_>,
     gas: G,
     force: F,
 ) -> Start {

@@ -25,8 +25,8 @@ pub(super) fn warnings(
     // Every step rounds a sum of many numbers a few times.
     let round_off = 1e-13 + 1e-14 * steps as f64;
     let mut judge = |what: &str, value: f64, bound: f64, why: &str| {
-        // Written so that a NaN is told too.
-        if !(value.abs() <= bound) {
+        // A NaN is told too.
+        if value.is_nan() || value.abs() > bound {
             warnings.push(format!("{what} drifted by {value:.1e} of its scale: {why}"));
         }
     };

@@ -213,7 +213,7 @@ impl Scene {
             Flow::Layers(layers) => {
                 let mut edge = from;
                 for layer in layers {
-                    if !(layer.to > edge) {
+                    if layer.to.is_nan() || layer.to <= edge {
                         let problem = format!("{}: a number above {edge} is needed", layer.to);
                         return wrong("to", problem);
                     }
@@ -400,16 +400,16 @@ impl Scene {
             before += mass;
         }
         let mut beyond = [0, 0];
-        for end in 0..2 {
+        for (end, beyond) in beyond.iter_mut().enumerate() {
             let (x, mass) = if end == 0 { placed[0] } else { placed[placed.len() - 1] };
             let state = self.initial(self.domain[end]);
             if self.boundary[end] != Boundary::Transmissive || state.is_vacuum() {
                 continue;
             }
             let spacing = mass / state.density();
-            beyond[end] = (self.reach_of_end(end) / spacing).ceil() as usize;
+            *beyond = (self.reach_of_end(end) / spacing).ceil() as usize;
             let sign = if end == 0 { -1.0 } else { 1.0 };
-            let more = (1..=beyond[end]).map(|k| (x + sign * k as f64 * spacing, mass));
+            let more = (1..=*beyond).map(|k| (x + sign * k as f64 * spacing, mass));
             if end == 0 {
                 placed.splice(0..0, more.rev());
             } else {
