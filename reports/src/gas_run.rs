@@ -3,11 +3,12 @@
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::{finite, significant};
 use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
+use courant_simulation::boundary::Boundary;
 use courant_simulation::comparison::Comparison;
 use courant_simulation::method::Method;
 use courant_simulation::riemann::Wave;
 use courant_simulation::run::Run;
-use courant_simulation::scene::{Boundary, Scene};
+use courant_simulation::scene::Scene;
 
 /// The name of a method for titles, as in the captions of Ferrari et al. 2008.
 pub fn method_title(method: &str) -> &'static str {
@@ -144,8 +145,8 @@ fn waves_have_left(scene: &dyn Scene, time: f64) -> bool {
 pub fn window(scene: &dyn Scene) -> [f64; 2] {
     let [from, to] = scene.domain();
     match scene.boundary() {
-        Boundary::Transmissive => [from, to],
         Boundary::Periodic => [from - (to - from), to + (to - from)],
+        Boundary::Transmissive | Boundary::Mirror | Boundary::Open => [from, to],
     }
 }
 

@@ -7,6 +7,7 @@ pub mod advection_profile;
 pub mod advection_validation;
 pub mod certificate_file;
 pub mod cha_whitworth2003;
+pub mod claim;
 pub mod equation_validation;
 pub mod ferrari2008;
 pub mod figure;

@@ -18,6 +18,7 @@
 //! is partly serial, which bounds the gain from threads.
 
 use courant_analysis::kernel::Kernel;
+use courant_simulation::boundary::Boundary;
 use courant_simulation::particles::*;
 use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
 use courant_simulation::riemann::{ExactIdeal, IdealGas, StarSolver, State, Stopping, VanLeer};

@@ -1,11 +1,12 @@
 //! First-order finite volumes with the exact Riemann flux, in Eulerian coordinates: the reference
 //! method of Ferrari et al. 2008 (Toro 1999, chapter 6).
 
+use crate::boundary::Boundary;
+use crate::march::{Evolution, Limits, march};
 use crate::riemann::{IdealGas, State, solve};
-use crate::run::{
-    Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, positive,
-};
-use crate::scene::{Boundary, Scene, conserved_density};
+use crate::run::{Conservation, InvalidOptions, Profile, Reason, Run, Totals, positive};
+use crate::scene::{Scene, conserved_density};
+use std::ops::ControlFlow;
 
 /// What one chooses in a run of [`run`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,14 +53,16 @@ pub fn run(
         })
         .sum();
     let scale = [start.0[0], motion, start.0[2]];
-    let (steps, time, failure) = drive(&mut grid, scene.end_time(), options.max_steps);
+    let limits = Limits { steps: options.max_steps };
+    let end = march(&mut grid, scene.end_time(), limits, |_, _| ControlFlow::Continue(()));
     let [mass, momentum, energy] = grid.totals().drift(start, grid.inflow, scale);
     let conservation = Conservation { mass, momentum, energy, volume: None };
     Ok(Run {
         profile: grid.profile(),
-        steps,
-        time,
-        failure,
+        steps: end.steps,
+        rejected: end.rejected,
+        time: end.time,
+        failure: end.failure,
         conservation,
         pairs: grid.pairs,
         waiting: [0; 2],
@@ -75,6 +78,8 @@ struct Grid {
     x: Vec<f64>,
     conserved: Vec<[f64; 3]>,
     states: Vec<State>,
+    /// Conserved quantities and states after the step.
+    next: (Vec<[f64; 3]>, Vec<State>),
     /// The flux at the left face of each cell and at the last face.
     fluxes: Vec<[f64; 3]>,
     inflow: Totals,
@@ -95,6 +100,7 @@ impl Grid {
             width,
             x: (0..cells).map(|i| 0.5 * (face(i) + face(i + 1))).collect(),
             conserved: states.iter().map(|state| conserved_density(gas, state)).collect(),
+            next: Default::default(),
             states,
             fluxes: vec![[0.0; 3]; cells + 1],
             inflow: Totals::default(),
@@ -120,11 +126,13 @@ impl Grid {
 
 impl Evolution for Grid {
     /// Solves the Riemann problem of every face, for its flux and for its fastest wave.
-    fn time_step(&mut self) -> f64 {
+    fn time_step(&mut self) -> Result<f64, Reason> {
         let last = self.states.len() - 1;
         let (before, behind) = match self.boundary {
             Boundary::Transmissive => (self.states[0], self.states[last]),
             Boundary::Periodic => (self.states[last], self.states[0]),
+            Boundary::Mirror => (self.states[0].mirrored(), self.states[last].mirrored()),
+            Boundary::Open => (State::vacuum(0.0), State::vacuum(0.0)),
         };
         let mut fastest = 0.0f64;
         for (face, flux) in self.fluxes.iter_mut().enumerate() {
@@ -140,25 +148,30 @@ impl Evolution for Grid {
             fastest = fastest.max(solution.max_wave_speed()).max(left.velocity().abs() + sound);
         }
         self.pairs += self.fluxes.len() as u64;
-        self.cfl * self.width / fastest
+        Ok(self.cfl * self.width / fastest)
     }
 
     fn advance(&mut self, step: f64) -> Result<(), Reason> {
         let factor = step / self.width;
-        let mut broken = None;
-        for (i, (cell, state)) in self.conserved.iter_mut().zip(&mut self.states).enumerate() {
+        let (conserved, states) = (&mut self.next.0, &mut self.next.1);
+        conserved.clear();
+        states.clear();
+        for (i, cell) in self.conserved.iter().enumerate() {
             let (entering, leaving) = (&self.fluxes[i], &self.fluxes[i + 1]);
-            *cell = [0, 1, 2].map(|c| cell[c] + factor * (entering[c] - leaving[c]));
-            let [rho, momentum, energy] = *cell;
+            let cell = [0, 1, 2].map(|c| cell[c] + factor * (entering[c] - leaving[c]));
+            let [rho, momentum, energy] = cell;
             let v = momentum / rho;
             let internal = energy / rho - 0.5 * v * v;
-            broken = broken.or(Reason::of_particle(i, rho, internal, v));
-            *state = State::trusted(rho, v, self.gas.pressure(rho, internal));
+            Reason::of_particle(i, rho, internal, v)?;
+            conserved.push(cell);
+            states.push(State::trusted(rho, v, self.gas.pressure(rho, internal)));
         }
+        std::mem::swap(&mut self.conserved, conserved);
+        std::mem::swap(&mut self.states, states);
         for c in 0..3 {
             self.inflow.0[c] += step * (self.fluxes[0][c] - self.fluxes[self.fluxes.len() - 1][c]);
         }
-        broken.map_or(Ok(()), Err)
+        Ok(())
     }
 }
 

@@ -3,9 +3,11 @@
 
 pub mod adaptive_sph;
 pub mod advection;
+pub mod boundary;
 pub mod comparison;
 pub mod finite_volume;
 pub mod lagrangian;
+pub mod march;
 pub mod method;
 pub mod particles;
 pub mod riemann;

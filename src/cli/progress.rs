@@ -24,6 +24,16 @@ impl Bar {
         ControlFlow::Continue(())
     }
 
+    /// The callback of a march: the time simulated.
+    pub fn march(&self, time: f64, end: f64) -> ControlFlow<()> {
+        let percent = (100.0 * time / end) as u64;
+        if percent != self.0.position() {
+            self.0.set_length(100);
+            self.0.set_position(percent);
+        }
+        ControlFlow::Continue(())
+    }
+
     /// Removes the bar.
     pub fn finish(&self) {
         self.0.finish_and_clear();

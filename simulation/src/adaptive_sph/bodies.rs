@@ -1,6 +1,6 @@
 //! All particles and their ghosts, from left to right.
 
-use crate::scene::Boundary;
+use crate::boundary::Boundary;
 
 /// A particle or the image of one.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +34,8 @@ impl Bodies {
         let body = |index: usize, x: f64, ghost: bool| Body { x, owner: order[index], ghost };
         self.sorted.clear();
         match boundary {
-            Boundary::Transmissive => {
+            // The scenes of this method have no others.
+            Boundary::Transmissive | Boundary::Mirror | Boundary::Open => {
                 let (first, last) = (x[order[0]], x[order[count - 1]]);
                 let left = x[order[1]] - first;
                 let right = last - x[order[count - 2]];

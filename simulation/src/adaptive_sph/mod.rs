@@ -4,14 +4,16 @@
 mod bodies;
 mod rates;
 
+use crate::boundary::Boundary;
+use crate::march::{Evolution, Limits, march};
 use crate::riemann::IdealGas;
 use crate::run::{
-    Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, not_negative,
-    positive,
+    Conservation, InvalidOptions, Profile, Reason, Run, Totals, not_negative, positive,
 };
-use crate::scene::{Boundary, MassLattice, Scene};
+use crate::scene::{MassLattice, Scene};
 use bodies::Bodies;
 use courant_analysis::kernel::Kernel;
+use std::ops::ControlFlow;
 
 /// What one chooses in a run of [`run`]. Ferrari et al. do not give their own choices.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,15 +97,17 @@ pub fn run(
         })
         .sum();
     let scale = [start.0[0], motion, start.0[2]];
-    let (steps, time, failure) = drive(&mut fluid, scene.end_time(), options.max_steps);
+    let limits = Limits { steps: options.max_steps };
+    let end = march(&mut fluid, scene.end_time(), limits, |_, _| ControlFlow::Continue(()));
     let [mass, momentum, energy] = fluid.totals().drift(start, fluid.inflow, scale);
     let conservation = Conservation { mass, momentum, energy, volume: None };
     let (pairs, waiting, particle_mass) = (fluid.pairs, fluid.waiting, Some(fluid.mass));
     Ok(Run {
         profile: fluid.into_profile(),
-        steps,
-        time,
-        failure,
+        steps: end.steps,
+        rejected: end.rejected,
+        time: end.time,
+        failure: end.failure,
         conservation,
         pairs,
         waiting,
@@ -135,6 +139,8 @@ struct Fluid {
     /// Momentum and energy per time that the ghosts beyond the ends give.
     supply: [f64; 2],
     bodies: Bodies,
+    /// Whether the rates are those of the present state.
+    current: bool,
     /// Position, velocity and energy at the start of a step.
     start: [Vec<f64>; 3],
     inflow: Totals,
@@ -168,6 +174,7 @@ impl Fluid {
             approach: zeros(),
             supply: [0.0; 2],
             bodies: Bodies::new(x.len()),
+            current: false,
             start: [x.clone(), zeros(), zeros()],
             x,
             waiting,
@@ -197,9 +204,9 @@ impl Fluid {
 
     /// The first particle that is no longer physical.
     fn check(&self) -> Result<(), Reason> {
-        (0..self.x.len())
-            .find_map(|i| Reason::of_particle(i, self.density[i], self.energy[i], self.velocity[i]))
-            .map_or(Ok(()), Err)
+        (0..self.x.len()).try_for_each(|i| {
+            Reason::of_particle(i, self.density[i], self.energy[i], self.velocity[i])
+        })
     }
 
     /// To `start + step·rate`, the positions with the velocity of now.
@@ -213,9 +220,25 @@ impl Fluid {
     }
 }
 
-impl Evolution for Fluid {
-    fn time_step(&mut self) -> f64 {
+impl Fluid {
+    fn move_by(&mut self, step: f64) -> Result<(), Reason> {
+        self.move_from_start(0.5 * step);
+        self.check()?;
         self.compute_rates();
+        self.move_from_start(step);
+        let supply = self.supply;
+        self.compute_densities();
+        self.check()?;
+        self.inflow.0[1] += step * supply[0];
+        self.inflow.0[2] += step * supply[1];
+        Ok(())
+    }
+}
+
+impl Evolution for Fluid {
+    fn time_step(&mut self) -> Result<f64, Reason> {
+        self.compute_rates();
+        self.current = true;
         let options = self.options;
         let mut smallest = f64::INFINITY;
         for i in 0..self.x.len() {
@@ -224,22 +247,26 @@ impl Evolution for Fluid {
             let h = self.length[i];
             smallest = smallest.min(h / signal).min((h / self.acceleration[i].abs()).sqrt());
         }
-        options.cfl * smallest
+        Ok(options.cfl * smallest)
     }
 
     /// The midpoint rule.
     fn advance(&mut self, step: f64) -> Result<(), Reason> {
+        if !self.current {
+            self.compute_rates();
+        }
+        self.current = false;
         self.start[0].copy_from_slice(&self.x);
         self.start[1].copy_from_slice(&self.velocity);
         self.start[2].copy_from_slice(&self.energy);
-        self.move_from_start(0.5 * step);
-        self.check()?;
-        self.compute_rates();
-        self.move_from_start(step);
-        self.inflow.0[1] += step * self.supply[0];
-        self.inflow.0[2] += step * self.supply[1];
-        self.compute_densities();
-        self.check()
+        let result = self.move_by(step);
+        if result.is_err() {
+            self.x.copy_from_slice(&self.start[0]);
+            self.velocity.copy_from_slice(&self.start[1]);
+            self.energy.copy_from_slice(&self.start[2]);
+            self.compute_densities();
+        }
+        result
     }
 }
 

@@ -1,7 +1,7 @@
 //! Smoothing lengths, densities, accelerations and heating of the particles as they stand.
 
 use super::Fluid;
-use crate::scene::Boundary;
+use crate::boundary::Boundary;
 
 impl Fluid {
     /// Smoothing lengths from the pilot density, densities by summation, pressures.
@@ -49,7 +49,7 @@ impl Fluid {
         heating.fill(0.0);
         approach.fill(0.0);
         *supply = [0.0; 2];
-        let from_outside = self.boundary == Boundary::Transmissive;
+        let from_outside = self.boundary != Boundary::Periodic;
         let longest = length.iter().copied().fold(0.0, f64::max);
         let reach = |i: usize| kernel.support() * 0.5 * (length[i] + longest);
         self.bodies.for_each_pair(reach, |i, other, distance| {

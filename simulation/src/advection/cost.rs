@@ -68,7 +68,7 @@ pub struct CostRow {
 pub fn measure_cost(plan: &RunPlan, samples: usize) -> Result<CostRow, PlanError> {
     assert!(samples > 0, "a median needs a sample");
     let prepared = Prepared::new(plan)?;
-    let advance = || black_box(&prepared).advance(&mut |_, _| ControlFlow::Continue(()));
+    let advance = || black_box(&prepared).advance(&mut |_| ControlFlow::Continue(()));
     let start = Instant::now();
     let (stepper, outcome, steps) = advance();
     let warm_up = start.elapsed().as_secs_f64();

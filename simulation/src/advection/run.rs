@@ -7,9 +7,11 @@ use super::profile::Comparison;
 use super::ring::{Ring, RingError};
 use super::scene::Scene;
 use super::stepper::Stepper;
+use crate::march::{Evolution, Limits, march};
+use crate::run::Reason;
 use std::ops::ControlFlow;
 
-/// Steps between two looks at the state and calls of the observer.
+/// Steps between two looks at the state.
 const LOOK_EVERY: u64 = 256;
 
 /// Where the particles are and which path steps them.
@@ -129,16 +131,16 @@ fn equal_steps(plan: &RunPlan) -> (u64, f64) {
 /// # Errors
 /// When the plan's numbers are out of range.
 pub fn run(plan: &RunPlan) -> Result<AdvectionRun, PlanError> {
-    run_with(plan, |_, _| ControlFlow::Continue(()))
+    run_with(plan, |_| ControlFlow::Continue(()))
 }
 
-/// Runs a plan; every few hundred steps `observe(steps done, steps in all)` may end it.
+/// Runs a plan; after every step `observe(time)` may end it.
 ///
 /// # Errors
 /// When the plan's numbers are out of range.
 pub fn run_with(
     plan: &RunPlan,
-    mut observe: impl FnMut(u64, u64) -> ControlFlow<()>,
+    mut observe: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<AdvectionRun, PlanError> {
     let prepared = Prepared::new(plan)?;
     let (stepper, outcome, steps) = prepared.advance(&mut observe);
@@ -175,7 +177,7 @@ impl<'a> Prepared<'a> {
     /// Finds the neighbours or the stencil and steps to the end: what a run costs.
     pub(super) fn advance(
         &self,
-        observe: &mut impl FnMut(u64, u64) -> ControlFlow<()>,
+        observe: &mut impl FnMut(f64) -> ControlFlow<()>,
     ) -> (Box<dyn Stepper>, Outcome, u64) {
         let mut stepper: Box<dyn Stepper> = match self.plan.layout {
             Layout::Lattice => Box::new(LatticePath::new(self.method, self.plan.particles)),
@@ -184,8 +186,19 @@ impl<'a> Prepared<'a> {
             }
         };
         stepper.set_state(&self.initial);
-        let (outcome, steps) = advance(&mut stepper, self.total, observe);
-        (stepper, outcome, steps)
+        let step = self.plan.periods / self.total as f64;
+        let mut evolution = EqualSteps { stepper, step, taken: 0 };
+        let limits = Limits { steps: usize::MAX };
+        let end = march(&mut evolution, self.plan.periods, limits, |_, time| observe(time));
+        let steps = evolution.taken;
+        let outcome = if evolution.check().is_err() {
+            Outcome::Overflowed { steps }
+        } else if end.cancelled {
+            Outcome::Cancelled { steps }
+        } else {
+            Outcome::Completed
+        };
+        (evolution.stepper, outcome, steps)
     }
 
     /// Sets the end of a run beside the exact solution.
@@ -220,24 +233,34 @@ impl<'a> Prepared<'a> {
     }
 }
 
-fn advance(
-    stepper: &mut impl Stepper,
-    total: u64,
-    observe: &mut impl FnMut(u64, u64) -> ControlFlow<()>,
-) -> (Outcome, u64) {
-    let mut steps = 0;
-    while steps < total {
-        let until = (steps + LOOK_EVERY).min(total);
-        while steps < until {
-            stepper.step();
-            steps += 1;
-        }
-        if !stepper.state().iter().all(|value| value.is_finite()) {
-            return (Outcome::Overflowed { steps }, steps);
-        }
-        if observe(steps, total).is_break() && steps < total {
-            return (Outcome::Cancelled { steps }, steps);
-        }
+/// A stepper with the step in its weights.
+struct EqualSteps {
+    stepper: Box<dyn Stepper>,
+    step: f64,
+    taken: u64,
+}
+
+impl EqualSteps {
+    fn check(&self) -> Result<(), Reason> {
+        let broken = self.stepper.state().iter().position(|value| !value.is_finite());
+        broken.map_or(Ok(()), |particle| Err(Reason::NotFinite { particle }))
     }
-    (Outcome::Completed, steps)
+}
+
+impl Evolution for EqualSteps {
+    fn time_step(&mut self) -> Result<f64, Reason> {
+        Ok(self.step)
+    }
+
+    /// The step asked for is the stepper's to round-off, for the steps divide the way.
+    fn advance(&mut self, step: f64) -> Result<(), Reason> {
+        debug_assert!((step / self.step - 1.0).abs() < 1e-6);
+        self.stepper.step();
+        self.taken += 1;
+        if self.taken.is_multiple_of(LOOK_EVERY) { self.check() } else { Ok(()) }
+    }
+
+    fn divisible(&self) -> bool {
+        false
+    }
 }

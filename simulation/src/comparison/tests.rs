@@ -24,6 +24,7 @@ fn exact_run(scene: &dyn Scene, n: usize, shift: f64) -> Run {
     Run {
         profile,
         steps: 0,
+        rejected: 0,
         time,
         failure: None,
         conservation: Conservation::default(),

@@ -2,9 +2,10 @@
 //! `lagrangian-sound` and `lagrangian-contact` of the catalogue.
 
 use super::{LagrangianOptions, LagrangianScheme, LagrangianState};
+use crate::boundary::Boundary;
 use crate::riemann::{IdealGas, State};
 use crate::run::{InvalidOptions, Reason};
-use crate::scene::{Boundary, Scene};
+use crate::scene::Scene;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

@@ -2,14 +2,16 @@
 
 use super::flux::{ContactViscosity, Flux, LagrangianFlux};
 use super::{LagrangianState, Lattice};
+use crate::boundary::Boundary;
+use crate::march::{Evolution, Limits, march};
 use crate::riemann::IdealGas;
 use crate::run::{
-    Conservation, Evolution, InvalidOptions, Profile, Reason, Run, Totals, drive, not_negative,
-    positive,
+    Conservation, InvalidOptions, Profile, Reason, Run, Totals, not_negative, positive,
 };
-use crate::scene::{Boundary, MassLattice, Scene};
+use crate::scene::{MassLattice, Scene};
 use courant_analysis::kernel::Kernel;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 
 /// Which state the time step follows. In both, `Δt = cfl Δξ / max C` with `C² = γρp`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -80,6 +82,8 @@ pub struct LagrangianScheme<F> {
     /// The states, with `reach` ghosts before and behind.
     states: Vec<LagrangianState>,
     x: Vec<f64>,
+    /// States and positions after the step.
+    next: (Vec<LagrangianState>, Vec<f64>),
     waiting: [usize; 2],
     /// Rows of one flux per offset `k`: row `m` in `0..N + reach` holds those from particle `m − k` to
     /// `m`, for `m < N + k`.
@@ -141,6 +145,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             spacing: start.spacing,
             cfl: options.cfl,
             fixed_step: None,
+            next: (states.clone(), start.x.clone()),
             states,
             x: start.x,
             waiting: start.waiting,
@@ -190,7 +195,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     /// Advances all particles by `step`.
     ///
     /// # Errors
-    /// The first particle that is no longer physical.
+    /// The first particle that would no longer be physical; the state stays as it was.
     pub fn advance(&mut self, step: f64) -> Result<(), Reason> {
         self.fill_ghosts();
         self.compute_fluxes();
@@ -200,7 +205,14 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     fn fill_ghosts(&mut self) {
         let (reach, total) = (self.lattice.reach(), self.states.len());
         match self.boundary {
-            Boundary::Transmissive => {
+            Boundary::Mirror => {
+                for k in 0..reach {
+                    self.states[reach - 1 - k] = self.states[reach + k].mirrored();
+                    self.states[total - reach + k] = self.states[total - reach - 1 - k].mirrored();
+                }
+            }
+            // The scenes of this method have no open ends.
+            Boundary::Transmissive | Boundary::Open => {
                 let (first, last) = (self.states[reach], self.states[total - reach - 1]);
                 self.states[..reach].fill(first);
                 self.states[total - reach..].fill(last);
@@ -234,9 +246,10 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         let (offsets, fluxes) = (self.lattice.offsets(), &self.fluxes);
         let width = offsets.len();
         let factor = 2.0 * step / self.spacing;
-        let broken = self.states[reach..reach + count]
+        let (states, positions) = (&self.states[reach..reach + count], &self.x);
+        let broken = self.next.0[reach..reach + count]
             .par_iter_mut()
-            .zip(&mut self.x)
+            .zip(&mut self.next.1)
             .enumerate()
             .with_min_len(CHUNK)
             .filter_map(|(i, (state, x))| {
@@ -248,15 +261,20 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
                         change[c] += weight * (before[c] - behind[c]);
                     }
                 }
-                let old = state.conserved();
+                let old = states[i].conserved();
                 *state = LagrangianState::from_conserved(
                     gas,
                     [0, 1, 2].map(|c| old[c] + factor * change[c]),
                 );
-                *x += 0.5 * step * (old[1] + state.velocity);
-                Reason::of_particle(i, state.density, state.internal_energy(), state.velocity)
+                *x = positions[i] + 0.5 * step * (old[1] + state.velocity);
+                Reason::of_particle(i, state.density, state.internal_energy(), state.velocity).err()
             })
             .min_by_key(|reason| reason.particle());
+        if let Some(reason) = broken {
+            return Err(reason);
+        }
+        std::mem::swap(&mut self.states, &mut self.next.0);
+        std::mem::swap(&mut self.x, &mut self.next.1);
         for (column, &(k, weight)) in offsets.iter().enumerate() {
             for m in 0..k {
                 let entering = &fluxes[m * width + column];
@@ -266,7 +284,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
                 }
             }
         }
-        broken.map_or(Ok(()), Err)
+        Ok(())
     }
 
     fn totals(&self) -> Totals {
@@ -297,14 +315,17 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
             .sum();
         let scale = [start.0[0], motion, start.0[2]];
         // Inside the pool a small parallel loop costs no hand-over between threads.
-        let (steps, time, failure) = rayon::scope(|_| drive(&mut self, end_time, max_steps));
+        let limits = Limits { steps: max_steps };
+        let end =
+            rayon::scope(|_| march(&mut self, end_time, limits, |_, _| ControlFlow::Continue(())));
         let [volume, momentum, energy] = self.totals().drift(start, self.inflow, scale);
         let conservation = Conservation { mass: 0.0, momentum, energy, volume: Some(volume) };
         Run {
             profile: self.profile(),
-            steps,
-            time,
-            failure,
+            steps: end.steps,
+            rejected: end.rejected,
+            time: end.time,
+            failure: end.failure,
             conservation,
             pairs: self.pairs,
             waiting: self.waiting,
@@ -314,11 +335,15 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
 }
 
 impl<F: LagrangianFlux> Evolution for LagrangianScheme<F> {
-    fn time_step(&mut self) -> f64 {
-        self.fixed_step.unwrap_or_else(|| self.courant_step())
+    fn time_step(&mut self) -> Result<f64, Reason> {
+        Ok(self.fixed_step.unwrap_or_else(|| self.courant_step()))
     }
 
     fn advance(&mut self, step: f64) -> Result<(), Reason> {
         Self::advance(self, step)
+    }
+
+    fn divisible(&self) -> bool {
+        self.fixed_step.is_none()
     }
 }

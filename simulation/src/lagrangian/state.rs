@@ -41,6 +41,11 @@ impl LagrangianState {
         Self { volume: density.recip(), velocity, energy, density, pressure, sound }
     }
 
+    /// The state as a mirror shows it.
+    pub(super) fn mirrored(&self) -> Self {
+        Self { velocity: -self.velocity, ..*self }
+    }
+
     /// The conserved quantities `(V, v, E)`.
     #[inline]
     pub fn conserved(&self) -> [f64; 3] {

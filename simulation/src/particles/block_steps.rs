@@ -22,6 +22,7 @@ use crate::run::Reason;
 #[derive(Debug, Clone)]
 pub struct BlockStepper<const D: usize, T> {
     levels: u32,
+    courant: f64,
     rates: Rates<D, T>,
     level: Vec<u32>,
     signal: Vec<f64>,
@@ -35,10 +36,11 @@ pub struct BlockStepper<const D: usize, T> {
 }
 
 impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
-    /// At most `levels` halvings.
-    pub fn new(levels: u32) -> Self {
+    /// At most `levels` halvings; steps of `courant` crossing times.
+    pub fn new(levels: u32, courant: f64) -> Self {
         Self {
             levels,
+            courant,
             rates: Rates::default(),
             level: Vec::new(),
             signal: Vec::new(),
@@ -55,31 +57,42 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
         &self.level
     }
 
-    /// One block, no longer than `longest`, with steps of `courant` crossing times; its length.
+    /// Looks at the signal velocities where a block begins, the fields of the system being those of its
+    /// state; the longest block.
+    pub fn begin<G: Gas<Thermal = T>, F: PairForce>(
+        &mut self,
+        system: &mut ParticleSystem<D, G>,
+        force: &F,
+    ) -> f64 {
+        system.evaluate(force, &mut self.rates, |_| 1.0);
+        self.warn(system);
+        let steps = || (0..system.particles.len()).map(|i| self.own_step(system, i));
+        let (shortest, slowest) =
+            (steps().fold(f64::INFINITY, f64::min), steps().fold(0.0, f64::max));
+        slowest.min(shortest * f64::from(1_u32 << self.levels))
+    }
+
+    fn own_step<G: Gas<Thermal = T>>(&self, system: &ParticleSystem<D, G>, i: usize) -> f64 {
+        self.courant * system.particles.smoothing[i] / self.signal[i]
+    }
+
+    /// One block of the given length, after [`begin`](Self::begin).
     ///
     /// # Errors
-    /// [`Reason`] if the particles leave the states of a gas, or a step is too small to be one.
+    /// [`Reason`] if the particles leave the states of a gas.
     pub fn block<G: Gas<Thermal = T>, F: PairForce>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
-        courant: f64,
-        longest: f64,
-    ) -> Result<f64, Reason> {
-        system.rates(force, &mut self.rates)?;
+        length: f64,
+    ) -> Result<(), Reason> {
         let count = system.particles.len();
-        self.warn(system);
-        let own = |i: usize| courant * system.particles.smoothing[i] / self.signal[i];
-        let shortest = (0..count).map(own).fold(f64::INFINITY, f64::min);
-        let slowest = (0..count).map(own).fold(0.0, f64::max);
-        if shortest.is_nan() || shortest <= 1e-13 * longest {
-            return Err(Reason::TimeStep { value: shortest });
-        }
-        let length = longest.min(slowest).min(shortest * f64::from(1_u32 << self.levels));
-        self.level.clear();
-        self.level.extend(
-            (0..count).map(|i| ((length / own(i)).log2().ceil().max(0.0) as u32).min(self.levels)),
-        );
+        let mut level = std::mem::take(&mut self.level);
+        level.clear();
+        level.extend((0..count).map(|i| {
+            ((length / self.own_step(system, i)).log2().ceil().max(0.0) as u32).min(self.levels)
+        }));
+        self.level = level;
         self.level_out(system);
         self.impulse.clear();
         self.impulse.resize(count, [0.0; D]);
@@ -99,7 +112,7 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             self.close(system, F::WORK, finest, now + 1, tick);
             self.substeps += 1;
         }
-        Ok(length)
+        Ok(())
     }
 
     /// Signal velocities, the largest among a particle's neighbours, their neighbours, and so on

@@ -1,17 +1,7 @@
 //! The box the particles live in, and the images its boundaries make of them.
 
 use super::vector::Vector;
-
-/// What is beyond the two ends of an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Boundary {
-    /// Nothing: particles may leave.
-    Open,
-    /// The other end.
-    Periodic,
-    /// A rigid, frictionless wall: the world in a mirror.
-    Mirror,
-}
+use crate::boundary::Boundary;
 
 /// A box with a boundary on each axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,8 +10,9 @@ pub struct Domain<const D: usize> {
     pub lower: Vector<D>,
     /// The upper corner.
     pub upper: Vector<D>,
-    /// The boundary at both ends of each axis.
-    pub boundary: [Boundary; D],
+    /// The boundaries at the lower and the upper end of each axis; periodic at both or at none. To particles a
+    /// transmissive end is an open one: the gas beyond it is particles too.
+    pub boundary: [[Boundary; 2]; D],
 }
 
 /// The map `x ↦ flip·x + shift` (by components) from a particle to one of its images.
@@ -65,7 +56,7 @@ impl<const D: usize> Image<D> {
 impl<const D: usize> Domain<D> {
     /// A box with the same boundary everywhere.
     pub fn new(lower: Vector<D>, upper: Vector<D>, boundary: Boundary) -> Self {
-        Self { lower, upper, boundary: [boundary; D] }
+        Self { lower, upper, boundary: [[boundary; 2]; D] }
     }
 
     /// All images that can come within `reach` of particles in the box from `low` to `high`,
@@ -91,19 +82,17 @@ impl<const D: usize> Domain<D> {
                 }
             };
             let length = self.upper[axis] - self.lower[axis];
-            match self.boundary[axis] {
-                Boundary::Open => {}
-                Boundary::Periodic => {
-                    let most = ((high[axis] - low[axis] + reach) / length).floor() as i32;
-                    for n in 1..=most {
-                        add(1.0, f64::from(n) * length);
-                        add(1.0, -f64::from(n) * length);
-                    }
+            let ends = self.boundary[axis];
+            if ends.contains(&Boundary::Periodic) {
+                let most = ((high[axis] - low[axis] + reach) / length).floor() as i32;
+                for n in 1..=most {
+                    add(1.0, f64::from(n) * length);
+                    add(1.0, -f64::from(n) * length);
                 }
-                Boundary::Mirror => {
-                    for wall in [self.lower[axis], self.upper[axis]] {
-                        add(-1.0, 2.0 * wall);
-                    }
+            }
+            for (end, wall) in ends.into_iter().zip([self.lower[axis], self.upper[axis]]) {
+                if end == Boundary::Mirror {
+                    add(-1.0, 2.0 * wall);
                 }
             }
         }

@@ -69,19 +69,15 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         }
     }
 
-    /// Evaluates the rates at the present state, where a step begins. A time step can then be
+    /// Evaluates the rates where a step begins, the fields of the system being those of its state. A time step can then be
     /// chosen from them; [`step`](Self::step) takes it.
-    ///
-    /// # Errors
-    /// [`Reason`] if the state is not one of a gas.
     pub fn begin<G: Gas<Thermal = T>, F: PairForce>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
-    ) -> Result<(), Reason> {
-        system.rates(force, &mut self.rates)?;
+    ) {
+        system.evaluate(force, &mut self.rates, |_| 1.0);
         self.started = true;
-        Ok(())
     }
 
     /// `min h_i/s_i` with the signal velocities of the last evaluation: the time a signal needs to cross a
@@ -103,7 +99,7 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         dt: f64,
     ) -> Result<(), Reason> {
         if !self.started {
-            self.begin(system, force)?;
+            system.rates(force, &mut self.rates)?;
         }
         self.started = false;
         self.position.clone_from(&system.particles.position);

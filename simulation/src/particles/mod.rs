@@ -8,6 +8,7 @@ mod block_steps;
 mod cells;
 mod density;
 mod domain;
+mod evolution;
 mod gas;
 mod godunov;
 mod integrator;
@@ -28,7 +29,8 @@ mod viscous;
 
 pub use block_steps::BlockStepper;
 pub use density::Smoothing;
-pub use domain::{Boundary, Domain, Image};
+pub use domain::{Domain, Image};
+pub use evolution::{ParticleEvolution, Stepping};
 pub use gas::{Gas, IsothermalGas};
 pub use godunov::Godunov;
 pub use integrator::{Integrator, NotExplicit, Nystrom, Stepper, table};

@@ -83,6 +83,8 @@ pub struct ParticleRun {
     pub smoothing: Vec<f64>,
     /// How many steps were taken; with block steps, substeps.
     pub steps: u64,
+    /// How many steps, or blocks, broke and were repeated with half their length.
+    pub rejected: usize,
     /// The time reached.
     pub time: f64,
     /// Why the run broke down; `None` if it reached the end.

@@ -1,12 +1,13 @@
 //! One step of the real scheme on a periodic ring, for linearisation by finite differences.
 
 use super::density::Smoothing;
-use super::domain::{Boundary, Domain};
+use super::domain::Domain;
 use super::gas::IsothermalGas;
 use super::integrator::{Nystrom, Stepper};
 use super::pair_force::PairForce;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
+use crate::boundary::Boundary;
 use crate::run::Reason;
 use courant_analysis::kernel::Kernel;
 use num_complex::Complex64;

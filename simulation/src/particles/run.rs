@@ -1,10 +1,10 @@
 //! A scene, a method, and what comes of them.
 
-use super::block_steps::BlockStepper;
 use super::domain::Domain;
+use super::evolution::ParticleEvolution;
 use super::gas::Gas;
 use super::godunov::Godunov;
-use super::integrator::{Nystrom, Stepper, table};
+use super::integrator::{Nystrom, table};
 use super::method::{
     InvalidMethodOptions, MethodOptions, ParticleMethod, SolverChoice, StepSharing,
 };
@@ -16,9 +16,11 @@ use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use super::thermal::ThermalState;
 use super::viscous::{PressureForm, Smoothed};
+use crate::march::{Limits, march};
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{ExactIdeal, StarSolver, Stopping, VanLeer};
-use crate::run::{Failure, Profile, Reason, SMALLEST_STEP};
+use crate::run::Profile;
+use std::ops::ControlFlow;
 
 /// Runs a scene to its end time with `particles` particles (about that many: layers get whole ones).
 ///
@@ -73,46 +75,39 @@ fn with_solver<G: Gas, S: StarSolver>(plan: Plan<'_>, gas: G, solver: S) -> Part
     let options = plan.2;
     let smoothed = |form| Smoothed { form, viscosity: options.viscosity };
     match options.method {
-        ParticleMethod::Gph1 => evolve(plan, gas, &Godunov { weight: SumOfSquares, solver }),
-        ParticleMethod::Gph2 => evolve(plan, gas, &Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => evolve(plan, gas, &Godunov { weight: OwnKernels, solver }),
+        ParticleMethod::Gph1 => evolve(plan, gas, Godunov { weight: SumOfSquares, solver }),
+        ParticleMethod::Gph2 => evolve(plan, gas, Godunov { weight: Product, solver }),
+        ParticleMethod::Gph3 => evolve(plan, gas, Godunov { weight: OwnKernels, solver }),
         ParticleMethod::Gph4 => {
-            evolve(plan, gas, &Godunov { weight: Convolution(options.volume), solver })
+            evolve(plan, gas, Godunov { weight: Convolution(options.volume), solver })
         }
-        ParticleMethod::Sph1 => evolve(plan, gas, &smoothed(PressureForm::Sum)),
-        ParticleMethod::Sph2 => evolve(plan, gas, &smoothed(PressureForm::Geometric)),
+        ParticleMethod::Sph1 => evolve(plan, gas, smoothed(PressureForm::Sum)),
+        ParticleMethod::Sph2 => evolve(plan, gas, smoothed(PressureForm::Geometric)),
     }
 }
 
 fn evolve<G: Gas, F: PairForce>(
     (scene, particles, options, table): Plan<'_>,
     gas: G,
-    force: &F,
+    force: F,
 ) -> ParticleRun {
-    let mut system = prepare(scene, particles, options, gas, force);
+    let system = prepare(scene, particles, options, gas, &force);
     let start = Totals::of(&system);
-    let mut clock =
-        Clock { scene, options, time: 0.0, steps: 0, penetration: Penetration::default() };
-    let (outcome, wall_impulse) = match options.sharing {
-        StepSharing::Global => {
-            let mut stepper = Stepper::new(table.clone());
-            let outcome = clock.global(&mut system, force, &mut stepper);
-            (outcome, stepper.wall_impulse)
-        }
+    let mut evolution = match options.sharing {
+        StepSharing::Global => ParticleEvolution::global(system, force, table, options.courant),
         StepSharing::Block { levels } => {
-            let mut stepper = BlockStepper::new(levels);
-            let outcome = clock.blocks(&mut system, force, &mut stepper);
-            (outcome, stepper.wall_impulse)
+            ParticleEvolution::blocks(system, force, levels, options.courant)
         }
     };
-    // The fields belong to the last evaluation; the profile to the end.
-    let failure = outcome.and_then(|()| system.update_fields()).err().map(|reason| Failure {
-        reason,
-        time: clock.time,
-        step: clock.steps as usize + 1,
+    let mut penetration = Penetration::default();
+    let limits = Limits { steps: options.max_steps as usize };
+    let march = march(&mut evolution, scene.end_time, limits, |state, _| {
+        penetration.observe(&state.system().particles.position);
+        ControlFlow::Continue(())
     });
-    let end = Totals::of(&system);
-    let profile = profile(&system);
+    let (system, wall_impulse) = (evolution.system(), evolution.wall_impulse());
+    let end = Totals::of(system);
+    let profile = profile(system);
     let drift = Drift {
         mass: ((end.mass - start.mass) / start.mass).abs(),
         momentum: ((end.momentum - start.momentum - wall_impulse[0]) / start.momentum_scale).abs(),
@@ -122,15 +117,16 @@ fn evolve<G: Gas, F: PairForce>(
             .map(|(before, after)| ((after - before) / before).abs()),
     };
     ParticleRun {
-        errors: Errors::new(scene, &profile, clock.time),
+        errors: Errors::new(scene, &profile, march.time),
         profile,
-        steps: clock.steps,
-        time: clock.time,
-        failure,
+        steps: evolution.substeps().unwrap_or(march.steps as u64),
+        rejected: march.rejected,
+        time: march.time,
+        failure: march.failure,
         smoothing: system.particles.smoothing.clone(),
         drift,
         counters: system.counters,
-        penetration: clock.penetration,
+        penetration,
     }
 }
 
@@ -161,71 +157,6 @@ fn prepare<G: Gas, F: PairForce>(
         options.smoothing(scene.constant_smoothing),
         force,
     )
-}
-
-struct Clock<'a> {
-    scene: &'a ParticleScene,
-    options: &'a MethodOptions,
-    time: f64,
-    steps: u64,
-    penetration: Penetration,
-}
-
-impl Clock<'_> {
-    fn global<G: Gas, F: PairForce>(
-        &mut self,
-        system: &mut ParticleSystem<1, G>,
-        force: &F,
-        stepper: &mut Stepper<1, G::Thermal>,
-    ) -> Result<(), Reason> {
-        let end = self.scene.end_time;
-        while self.time < end {
-            stepper.begin(system, force)?;
-            let wanted = self.options.courant * stepper.crossing_time(system);
-            if wanted.is_nan() || wanted < SMALLEST_STEP * end {
-                return Err(Reason::TimeStep { value: wanted });
-            }
-            // Two equal last steps rather than a whole one and a sliver.
-            let left = end - self.time;
-            let step = if left <= wanted {
-                left
-            } else if left <= 2.0 * wanted {
-                0.5 * left
-            } else {
-                wanted
-            };
-            stepper.step(system, force, step)?;
-            self.time = if left <= wanted { end } else { self.time + step };
-            self.tick(system)?;
-        }
-        Ok(())
-    }
-
-    fn blocks<G: Gas, F: PairForce>(
-        &mut self,
-        system: &mut ParticleSystem<1, G>,
-        force: &F,
-        stepper: &mut BlockStepper<1, G::Thermal>,
-    ) -> Result<(), Reason> {
-        let end = self.scene.end_time;
-        while self.time < end {
-            let left = end - self.time;
-            let length = stepper.block(system, force, self.options.courant, left)?;
-            self.time = if length == left { end } else { self.time + length };
-            self.steps = stepper.substeps - 1;
-            self.tick(system)?;
-        }
-        Ok(())
-    }
-
-    fn tick<G: Gas>(&mut self, system: &ParticleSystem<1, G>) -> Result<(), Reason> {
-        self.steps += 1;
-        self.penetration.observe(&system.particles.position);
-        if self.steps >= self.options.max_steps && self.time < self.scene.end_time {
-            return Err(Reason::StepLimit { limit: self.options.max_steps as usize });
-        }
-        Ok(())
-    }
 }
 
 struct Totals {

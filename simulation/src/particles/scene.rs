@@ -1,8 +1,8 @@
 //! One-dimensional test problems with their exact solutions: Cha & Whitworth 2003, section 5.1–5.6,
 //! and two harder ones.
 
-use super::domain::Boundary;
 use super::gas::IsothermalGas;
+use crate::boundary::Boundary;
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{IdealGas, State, solve};
 
@@ -256,7 +256,7 @@ impl ParticleScene {
             amplitude * c * (-scaled * scaled).exp()
         };
         let profile = |x: f64| match self.boundary {
-            Boundary::Open => pulse(x),
+            Boundary::Open | Boundary::Transmissive => pulse(x),
             Boundary::Periodic => pulse(from + (x - from).rem_euclid(to - from)),
             Boundary::Mirror => {
                 let folded = (x - from).rem_euclid(2.0 * (to - from));

@@ -59,7 +59,7 @@ impl State {
     }
 
     /// No gas. The velocity only says how an observer in it would move.
-    pub(super) fn vacuum(velocity: f64) -> Self {
+    pub(crate) fn vacuum(velocity: f64) -> Self {
         Self { density: 0.0, velocity, pressure: 0.0 }
     }
 
@@ -95,7 +95,7 @@ impl State {
 
     /// The same state seen in a mirror: the velocity changes sign.
     #[inline]
-    pub(super) fn mirrored(&self) -> Self {
+    pub(crate) fn mirrored(&self) -> Self {
         Self { velocity: -self.velocity, ..*self }
     }
 }

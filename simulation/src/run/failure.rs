@@ -7,9 +7,9 @@ use std::fmt::{Display, Formatter};
 pub struct Failure {
     /// What happened.
     pub reason: Reason,
-    /// The time after the step in which it happened.
+    /// The time at which that step began.
     pub time: f64,
-    /// The number of that step, counted from 1.
+    /// The number of the step in which it happened, counted from 1.
     pub step: usize,
 }
 
@@ -97,22 +97,22 @@ impl Reason {
         }
     }
 
-    /// What is wrong with a particle, if anything.
+    /// Whether a particle is one of a gas.
     #[inline]
     pub(crate) fn of_particle(
         particle: usize,
         density: f64,
         internal_energy: f64,
         velocity: f64,
-    ) -> Option<Self> {
+    ) -> Result<(), Self> {
         if !(density.is_finite() && internal_energy.is_finite() && velocity.is_finite()) {
-            Some(Self::NotFinite { particle })
+            Err(Self::NotFinite { particle })
         } else if density <= 0.0 {
-            Some(Self::Density { particle, value: density })
+            Err(Self::Density { particle, value: density })
         } else if internal_energy <= 0.0 {
-            Some(Self::InternalEnergy { particle, value: internal_energy })
+            Err(Self::InternalEnergy { particle, value: internal_energy })
         } else {
-            None
+            Ok(())
         }
     }
 }

@@ -1,14 +1,12 @@
 //! What a run leaves behind, whatever the method.
 
 mod conservation;
-mod drive;
 mod failure;
 mod options;
 mod profile;
 
 pub use conservation::Conservation;
 pub(crate) use conservation::Totals;
-pub(crate) use drive::{Evolution, SMALLEST_STEP, drive};
 pub use failure::{Failure, Reason};
 pub use options::InvalidOptions;
 pub(crate) use options::{not_negative, positive};
@@ -19,8 +17,10 @@ pub use profile::Profile;
 pub struct Run {
     /// The state at [`time`](Self::time).
     pub profile: Profile,
-    /// How many steps were taken, the broken one included.
+    /// How many steps were taken.
     pub steps: usize,
+    /// How many broke and were repeated with half their length.
+    pub rejected: usize,
     /// The time reached.
     pub time: f64,
     /// Why, when and where the run broke down; `None` if it reached the end.

@@ -10,16 +10,8 @@ pub(crate) use mass_lattice::MassLattice;
 pub use simple_wave::{InvalidWave, SimpleWave, WaveData};
 pub use tube::{InvalidTube, STANDARD_TUBES, ShockTube, TubeData};
 
+use crate::boundary::Boundary;
 use crate::riemann::{IdealGas, Solution, State};
-
-/// What lies beyond the ends of the domain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Boundary {
-    /// The state at the end continues: waves leave.
-    Transmissive,
-    /// The other end of the domain.
-    Periodic,
-}
 
 /// A flow of one ideal gas on an interval, with its exact solution.
 pub trait Scene: Sync {

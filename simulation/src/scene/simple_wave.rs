@@ -1,6 +1,7 @@
 //! A smooth periodic sound wave of finite amplitude, before it breaks.
 
-use super::{Boundary, Scene, conserved_density, mean_state};
+use super::{Scene, conserved_density, mean_state};
+use crate::boundary::Boundary;
 use crate::riemann::{IdealGas, State};
 use std::f64::consts::TAU;
 

@@ -1,6 +1,7 @@
 //! Shock tubes: two uniform states and a diaphragm that vanishes at time 0.
 
-use super::{Boundary, Scene, conserved_density, mean_state};
+use super::{Scene, conserved_density, mean_state};
+use crate::boundary::Boundary;
 use crate::riemann::{IdealGas, InvalidState, Solution, State, solve};
 
 /// The plain numbers of a shock tube; [`ShockTube::new`] checks them.

@@ -118,7 +118,7 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let output = OutputDirectory::open(&arguments.out)?;
     let bar = Bar::new(&arguments.scene);
     let start = Instant::now();
-    let result = run_with(&plan, |done, all| bar.advance(done as usize, all as usize))
+    let result = run_with(&plan, |time| bar.march(time, plan.periods))
         .map_err(|error| Failure::Message(error.to_string()))?;
     let wall_seconds = start.elapsed().as_secs_f64();
     bar.finish();

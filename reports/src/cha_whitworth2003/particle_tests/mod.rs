@@ -12,7 +12,6 @@ mod sound_wave;
 mod tubes;
 
 pub use blast_shell::{Shell, blast_shell};
-pub use claims::{Claim, ClaimVerdict};
 pub use collision::{PenetrationCount, penetrations};
 pub use cost::{Cost, costs};
 pub use rarefied_contact::{ContactEnergy, contact_energies};
@@ -132,10 +131,15 @@ pub fn publish_sections(
     let efficiency = efficiency::measure(detail, &|stage| progress(done + stage, all))?;
     let cost = [cost::items(&costs), efficiency::items(&efficiency)].concat();
     publish(section("What the methods cost", cost))?;
-    let claims = claims::claims(&runs, &shells, &contacts, &penetrations, &costs);
+    let evidence = claims::Evidence {
+        runs: &runs,
+        shells: &shells,
+        contacts: &contacts,
+        penetrations: &penetrations,
+    };
     publish(section(
         "What the paper says of its tests, against numbers",
-        vec![claims::table(&claims)],
+        vec![claims::item(&evidence)],
     ))?;
     Ok(())
 }

@@ -48,7 +48,6 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
         panel
     });
     let Solved { scene, options, run } = snapshots[1];
-    let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
     let title = if method.is_godunov() {
         format!("GPH case {}", number - 5)
     } else {
@@ -64,7 +63,7 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
             scene.end_time,
             run.profile.len(),
             Solved::settings(options),
-            peak(&run.profile.velocity) / exact_peak(snapshots[1]),
+            peak(snapshots[1]),
         ),
         data: snapshots
             .iter()
@@ -77,13 +76,17 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
     }
 }
 
-/// The largest exact velocity: half the amplitude of the initial pulse, once the two halves have parted.
-pub(super) fn exact_peak(solved: &Solved) -> f64 {
+/// The largest velocity over the largest exact one: half the amplitude of the initial pulse, once its halves have
+/// parted.
+pub(super) fn peak(solved: &Solved) -> f64 {
     let [from, to] = solved.scene.window;
-    (0..=2000)
-        .filter_map(|k| {
-            let x = from + (to - from) * f64::from(k) / 2000.0;
-            solved.scene.exact(x, solved.run.time).map(|state| state.velocity().abs())
-        })
-        .fold(0.0, f64::max)
+    let exact = (0..=2000).filter_map(|k| {
+        let x = from + (to - from) * f64::from(k) / 2000.0;
+        solved.scene.exact(x, solved.run.time).map(|state| state.velocity())
+    });
+    let largest = |values: &mut dyn Iterator<Item = f64>| {
+        values.fold(0.0_f64, |largest, value| largest.max(value.abs()))
+    };
+    let mut computed = solved.run.profile.velocity.iter().copied();
+    largest(&mut computed) / largest(&mut { exact })
 }

@@ -6,9 +6,10 @@ mod courant_number;
 mod errors;
 mod figures;
 mod linear_theory;
+mod measures;
 mod runs;
-mod statements;
 mod table_2;
+mod windows;
 
 use super::{Detail, ReportError};
 use crate::CatalogueItem;
@@ -101,7 +102,7 @@ pub fn publish_sections(
     }
     publish(Section {
         title: "Section 3.3 in numbers".into(),
-        items: vec![errors::table(&runs), errors::waves(&runs), statements::table(&runs)],
+        items: vec![errors::table(&runs), errors::waves(&runs), measures::claims(&runs)],
     })?;
     reached(2)?;
     publish(Section {

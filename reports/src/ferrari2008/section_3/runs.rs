@@ -1,6 +1,7 @@
 //! The runs behind the figures: four tests, five methods, 100 particles or cells.
 
 use courant_simulation::comparison::{Comparison, WaveKind};
+use courant_simulation::lagrangian::flux::{ContactViscosity, Flux};
 use courant_simulation::method::Method;
 use courant_simulation::run::Run;
 use courant_simulation::scene::{Scene, ShockTube};
@@ -38,11 +39,25 @@ pub struct TestRun {
 }
 
 impl TestRun {
-    fn new(test: usize, name: &str) -> Self {
-        let (tube, method) = (tube(test), method(name));
+    fn new(test: usize, method: Method) -> Self {
+        let tube = tube(test);
         let run = method.run(&tube, PARTICLES).expect("the default options are valid");
         let comparison = Comparison::new(&tube, &run);
         Self { test, method, tube, run, comparison }
+    }
+
+    /// A Lagrangian method with one option set: `cfl=0.01`, or for the modified Roe flux the contact viscosity
+    /// `alpha=0.4`.
+    pub fn with_option(test: usize, name: &str, option: &str) -> Option<Self> {
+        let (key, value) = option.split_once('=')?;
+        let value = value.parse().ok()?;
+        let Method::Lagrangian(mut options) = method(name) else { return None };
+        match (key, &mut options.flux) {
+            ("cfl", _) => options.cfl = value,
+            ("alpha", Flux::ModifiedRoe(roe)) => roe.contact = ContactViscosity::Printed(value),
+            _ => return None,
+        }
+        Some(Self::new(test, Method::Lagrangian(options)))
     }
 
     /// How many particles that started in the domain are still there. Those that came in do not count.
@@ -69,7 +84,7 @@ impl Runs {
     pub fn at_100_particles() -> Self {
         let cases: Vec<(usize, &str)> =
             (1..=4).flat_map(|test| Method::NAMES.map(|name| (test, name))).collect();
-        Self(cases.into_par_iter().map(|(test, name)| TestRun::new(test, name)).collect())
+        Self(cases.into_par_iter().map(|(test, name)| TestRun::new(test, method(name))).collect())
     }
 
     /// All, test by test, in the order of the figures.
@@ -82,20 +97,5 @@ impl Runs {
         let mut all = self.0.iter();
         all.find(|run| run.test == test && run.method.name() == name)
             .expect("every test was run with every method")
-    }
-
-    /// The finite-volume run of a test.
-    pub fn volumes(&self, test: usize) -> &TestRun {
-        self.get(test, "finite-volume")
-    }
-
-    /// The run of a test with standard SPH.
-    pub fn standard(&self, test: usize) -> &TestRun {
-        self.get(test, "sph-adke")
-    }
-
-    /// A measure of the exact, Rusanov and Roe runs of a test; NaN where there is none.
-    pub fn lagrangian(&self, test: usize, measure: impl Fn(&TestRun) -> f64) -> [f64; 3] {
-        LAGRANGIAN.map(|name| measure(self.get(test, name)))
     }
 }

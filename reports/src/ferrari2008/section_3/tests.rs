@@ -2,7 +2,7 @@
 
 use super::convergence::order;
 use super::runs::Runs;
-use super::{CATALOGUE, errors, figures, statements, table_2};
+use super::{CATALOGUE, errors, figures, measures, table_2};
 use crate::page::Item;
 
 #[test]
@@ -46,14 +46,14 @@ fn figures_have_the_numbers_of_the_paper() {
     // Tables of the same runs have a row for each of them, the failed one included.
     let Item::Table { table, .. } = errors::table(&runs) else { panic!("a table") };
     assert_eq!(table.rows().count(), 20);
-    let Item::Table { table, .. } = statements::table(&runs) else { panic!("a table") };
+    let Item::Table { table, .. } = measures::claims(&runs) else { panic!("a table") };
     assert!(table.rows().count() >= 20);
     let section = table_2::section();
     for item in section
         .items
         .iter()
         .chain(&[errors::table(&runs), errors::waves(&runs)])
-        .chain(&[statements::table(&runs)])
+        .chain(&[measures::claims(&runs)])
     {
         if let Item::Table { name, table, .. } = item {
             assert!(table.to_latex().is_ascii(), "{name}: {}", table.to_latex());

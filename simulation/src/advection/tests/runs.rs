@@ -135,15 +135,13 @@ fn an_unstable_run_ends_with_a_reason() {
 fn an_observer_may_stop_a_run() {
     let mut plan = plan(AdvectionScheme::GodunovSph, Scene::Step, 100, Layout::Lattice);
     plan.periods = 100.0;
-    let mut seen = Vec::new();
-    let result = run_with(&plan, |done, total| {
-        seen.push((done, total));
-        if done >= 512 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    let result = run_with(&plan, |time| {
+        if time > 4.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })
     .unwrap();
-    assert_eq!(result.outcome, Outcome::Cancelled { steps: 512 });
-    assert_eq!(seen, [(256, 12_500), (512, 12_500)]);
-    assert!((result.time - 100.0 * 512.0 / 12_500.0).abs() < 1e-12);
+    // 12,500 equal steps to 100 periods: the 501st passes 4.
+    assert_eq!(result.outcome, Outcome::Cancelled { steps: 501 });
+    assert!((result.time - 501.0 * 100.0 / 12_500.0).abs() < 1e-12);
 }
 
 #[test]

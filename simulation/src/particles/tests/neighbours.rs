@@ -1,6 +1,7 @@
 //! The search for neighbours against looking at everybody.
 
 use super::scatter;
+use crate::boundary::Boundary;
 use crate::particles::*;
 
 /// Pairs by looking at everybody and every image: `(first, second, distance)` with first ≤ second.
@@ -13,8 +14,8 @@ fn brute_force<const D: usize>(
     let mut images = vec![Image::<D>::IDENTITY];
     for axis in 0..D {
         let length = domain.upper[axis] - domain.lower[axis];
-        let maps: Vec<(f64, f64)> = match domain.boundary[axis] {
-            Boundary::Open => vec![],
+        let maps: Vec<(f64, f64)> = match domain.boundary[axis][0] {
+            Boundary::Open | Boundary::Transmissive => vec![],
             Boundary::Periodic => vec![(1.0, length), (1.0, -length)],
             Boundary::Mirror => {
                 vec![(-1.0, 2.0 * domain.lower[axis]), (-1.0, 2.0 * domain.upper[axis])]

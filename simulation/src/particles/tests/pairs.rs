@@ -1,6 +1,7 @@
 //! Symmetry, conservation, and independence of numbering and threads.
 
 use super::{explicit, scatter};
+use crate::boundary::Boundary;
 use crate::particles::*;
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{ExactIdeal, IdealGas, Stopping, VanLeer};
@@ -187,7 +188,8 @@ fn evolved<const D: usize>(order: &[usize], force: &impl PairForce) -> Vec<Vecto
     };
     let mut stepper = Stepper::new(explicit("rk2-heun"));
     for _ in 0..3 {
-        stepper.begin(&mut system, force).expect("a physical state");
+        system.update_fields().expect("a physical state");
+        stepper.begin(&mut system, force);
         let dt = 0.02 * stepper.crossing_time(&system);
         stepper.step(&mut system, force, dt).expect("a physical state");
     }

@@ -1,6 +1,7 @@
 //! Whole runs: conservation as promised, exact solutions met, failures reported.
 
 use super::explicit;
+use crate::boundary::Boundary;
 use crate::particles::*;
 use crate::run::Reason;
 use courant_analysis::kernel::Kernel;

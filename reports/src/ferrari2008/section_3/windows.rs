@@ -1,6 +1,7 @@
 //! One wave of a run alone: a norm over the whole domain is mostly that of the widest wave.
 
-use crate::ferrari2008::section_3::runs::TestRun;
+use super::runs::TestRun;
+use courant_simulation::comparison::Columns;
 use courant_simulation::riemann::Wave;
 use courant_simulation::scene::Scene;
 
@@ -17,6 +18,25 @@ pub(super) enum Variable {
 }
 
 impl Variable {
+    pub(super) fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "density" => Self::Density,
+            "velocity" => Self::Velocity,
+            "pressure" => Self::Pressure,
+            "energy" => Self::Energy,
+            _ => return None,
+        })
+    }
+
+    pub(super) fn column(self, columns: &Columns<f64>) -> f64 {
+        match self {
+            Self::Density => columns.density,
+            Self::Velocity => columns.velocity,
+            Self::Pressure => columns.pressure,
+            Self::Energy => columns.energy,
+        }
+    }
+
     fn of(self, run: &TestRun) -> &[f64] {
         let profile = &run.run.profile;
         match self {
@@ -63,29 +83,19 @@ impl Places {
         Self { domain: run.tube.domain(), left: edges(solution.left_wave()), contact, right }
     }
 
-    /// The left wave, from its outer to its inner edge.
-    pub(super) fn left_wave(&self) -> [f64; 2] {
-        self.left
-    }
-
-    /// About the inner edge of the left wave: from its middle half way to the contact.
-    pub(super) fn left_tail(&self) -> [f64; 2] {
-        [0.5 * (self.left[0] + self.left[1]), 0.5 * (self.left[1] + self.contact)]
-    }
-
-    /// About the contact, half way to the waves beside it.
-    pub(super) fn contact(&self) -> [f64; 2] {
-        [0.5 * (self.left[1] + self.contact), 0.5 * (self.contact + self.right)]
-    }
-
-    /// Left of the contact. Pressure and velocity do not jump there.
-    pub(super) fn left_of_contact(&self) -> [f64; 2] {
-        [self.domain[0], self.contact]
-    }
-
-    /// Right of the contact.
-    pub(super) fn right_of_contact(&self) -> [f64; 2] {
-        [self.contact, self.domain[1]]
+    /// The window of one wave by name. Pressure and velocity do not jump at the contact.
+    pub(super) fn window(&self, name: &str) -> Option<[f64; 2]> {
+        let Self { domain, left: [outer, inner], contact, right } = *self;
+        Some(match name {
+            "left-wave" => [outer, inner],
+            // About the inner edge of the left wave: from its middle half way to the contact.
+            "left-tail" => [0.5 * (outer + inner), 0.5 * (inner + contact)],
+            // Half way to the waves beside it.
+            "contact" => [0.5 * (inner + contact), 0.5 * (contact + right)],
+            "left-of-contact" => [domain[0], contact],
+            "right-of-contact" => [contact, domain[1]],
+            _ => return None,
+        })
     }
 }
 
@@ -126,7 +136,7 @@ fn inside(run: &TestRun, variable: Variable, window: [f64; 2]) -> Vec<f64> {
 }
 
 /// The difference of the largest and smallest exact values in the domain.
-fn range(run: &TestRun, variable: Variable) -> f64 {
+pub(super) fn range(run: &TestRun, variable: Variable) -> f64 {
     let [from, to] = run.tube.domain();
     let values =
         (0..=SAMPLES).map(|i| variable.exact(run, from + (to - from) * i as f64 / SAMPLES as f64));
@@ -158,8 +168,8 @@ pub(super) fn oscillation(run: &TestRun, variable: Variable, window: [f64; 2]) -
 
 #[cfg(test)]
 mod tests {
+    use super::super::runs::Runs;
     use super::*;
-    use crate::ferrari2008::section_3::runs::Runs;
 
     #[test]
     fn a_fault_counts_in_its_window_only() {
@@ -175,22 +185,23 @@ mod tests {
             profile.energy[i] = run.tube.gas().internal_energy(state.density(), state.pressure());
         }
         let places = Places::of(&run);
+        let window = |name| places.window(name).unwrap();
         // A shift of the pressure in the rarefaction is no error of the shock.
-        let before = error(&run, Variable::Pressure, places.right_of_contact());
-        let [from, to] = places.left_wave();
+        let before = error(&run, Variable::Pressure, window("right-of-contact"));
+        let [from, to] = window("left-wave");
         let wave: Vec<usize> = run.run.profile.inside([from, to]);
         for &i in &wave {
             run.run.profile.pressure[i] += 100.0;
         }
-        assert_eq!(error(&run, Variable::Pressure, places.right_of_contact()), before);
-        let inside = error(&run, Variable::Pressure, places.left_wave());
+        assert_eq!(error(&run, Variable::Pressure, window("right-of-contact")), before);
+        let inside = error(&run, Variable::Pressure, window("left-wave"));
         assert!((inside / (100.0 * (to - from)) - 1.0).abs() < 0.1, "{inside}");
         // One cell too high at the contact, by a tenth of the range.
-        assert_eq!(oscillation(&run, Variable::Pressure, places.contact()), 0.0);
-        let cells = run.run.profile.inside(places.contact());
+        assert_eq!(oscillation(&run, Variable::Pressure, window("contact")), 0.0);
+        let cells = run.run.profile.inside(window("contact"));
         let spike = 0.1 * range(&run, Variable::Pressure);
         run.run.profile.pressure[cells[1]] += spike;
-        assert!((overshoot(&run, Variable::Pressure, places.contact()) - 0.1).abs() < 1e-9);
-        assert!((oscillation(&run, Variable::Pressure, places.contact()) - 0.2).abs() < 1e-9);
+        assert!((overshoot(&run, Variable::Pressure, window("contact")) - 0.1).abs() < 1e-9);
+        assert!((oscillation(&run, Variable::Pressure, window("contact")) - 0.2).abs() < 1e-9);
     }
 }

@@ -1,0 +1,157 @@
+//! A system of particles as something that marches in time.
+
+use super::block_steps::BlockStepper;
+use super::gas::Gas;
+use super::integrator::{Nystrom, Stepper};
+use super::pair_force::PairForce;
+use super::system::{ParticleSystem, Particles};
+use super::vector::Vector;
+use crate::march::Evolution;
+use crate::run::Reason;
+
+/// Who shares a time step.
+#[derive(Debug, Clone)]
+pub enum Stepping<const D: usize, T> {
+    /// Everybody, by an integrator.
+    Global(Stepper<D, T>),
+    /// Blocks of steps.
+    Blocks(BlockStepper<D, T>),
+}
+
+/// Particles of a gas under a pair force, in any dimension.
+///
+/// ```
+/// use courant_analysis::kernel::Kernel;
+/// use courant_simulation::boundary::Boundary;
+/// use courant_simulation::march::{Limits, march};
+/// use courant_simulation::particles::*;
+/// use std::ops::ControlFlow;
+/// let force = Smoothed { form: PressureForm::Sum, viscosity: Viscosity::STANDARD };
+/// let particles = Particles {
+///     position: (0..16).map(|k| [f64::from(k % 4), f64::from(k / 4)]).collect(),
+///     velocity: vec![[0.1, 0.0]; 16],
+///     mass: vec![1.0; 16],
+///     thermal: vec![(); 16],
+///     smoothing: vec![1.2; 16],
+/// };
+/// let system = ParticleSystem::new(
+///     IsothermalGas { sound_speed: 1.0 },
+///     particles,
+///     Domain::new([0.0; 2], [4.0; 2], Boundary::Periodic),
+///     SmoothingKernel::new(Kernel::CubicSpline),
+///     Smoothing::adaptive(1.2),
+///     &force,
+/// );
+/// let heun = Integrator::named("rk2-heun").unwrap().nystrom().unwrap();
+/// let mut evolution = ParticleEvolution::global(system, force, &heun, 0.3);
+/// let end = march(&mut evolution, 1.0, Limits { steps: 1000 }, |_, _| ControlFlow::Continue(()));
+/// assert!(end.failure.is_none() && end.time == 1.0);
+/// // A uniform flow is carried along.
+/// assert!((evolution.system().particles.position[0][0] - 0.1).abs() < 1e-12);
+/// ```
+#[derive(Debug, Clone)]
+pub struct ParticleEvolution<const D: usize, G: Gas, F> {
+    system: ParticleSystem<D, G>,
+    force: F,
+    courant: f64,
+    stepping: Stepping<D, G::Thermal>,
+    /// Whether the fields of the system are those of its state.
+    current: bool,
+    /// The state before the step.
+    before: Particles<D, G::Thermal>,
+}
+
+impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
+    /// With one step for everybody, of `courant` crossing times.
+    pub fn global(
+        system: ParticleSystem<D, G>,
+        force: F,
+        table: &Nystrom<f64>,
+        courant: f64,
+    ) -> Self {
+        Self::new(system, force, courant, Stepping::Global(Stepper::new(table.clone())))
+    }
+
+    /// With blocks of steps that are halved at most `levels` times.
+    pub fn blocks(system: ParticleSystem<D, G>, force: F, levels: u32, courant: f64) -> Self {
+        let stepper = BlockStepper::new(levels, courant);
+        Self::new(system, force, courant, Stepping::Blocks(stepper))
+    }
+
+    fn new(
+        system: ParticleSystem<D, G>,
+        force: F,
+        courant: f64,
+        stepping: Stepping<D, G::Thermal>,
+    ) -> Self {
+        let before = system.particles.clone();
+        Self { system, force, courant, stepping, current: false, before }
+    }
+
+    /// The particles; after a step that was taken, with the fields of their state.
+    pub fn system(&self) -> &ParticleSystem<D, G> {
+        &self.system
+    }
+
+    /// Momentum that the walls have given so far.
+    pub fn wall_impulse(&self) -> Vector<D> {
+        match &self.stepping {
+            Stepping::Global(stepper) => stepper.wall_impulse,
+            Stepping::Blocks(stepper) => stepper.wall_impulse,
+        }
+    }
+
+    fn set_wall_impulse(&mut self, impulse: Vector<D>) {
+        match &mut self.stepping {
+            Stepping::Global(stepper) => stepper.wall_impulse = impulse,
+            Stepping::Blocks(stepper) => stepper.wall_impulse = impulse,
+        }
+    }
+
+    /// Steps within blocks so far; `None` where everybody shares one step.
+    pub fn substeps(&self) -> Option<u64> {
+        match &self.stepping {
+            Stepping::Global(_) => None,
+            Stepping::Blocks(stepper) => Some(stepper.substeps),
+        }
+    }
+
+    fn step(&mut self, step: f64) -> Result<(), Reason> {
+        match &mut self.stepping {
+            Stepping::Global(stepper) => stepper.step(&mut self.system, &self.force, step)?,
+            Stepping::Blocks(stepper) => stepper.block(&mut self.system, &self.force, step)?,
+        }
+        self.system.update_fields()
+    }
+}
+
+impl<const D: usize, G: Gas, F: PairForce> Evolution for ParticleEvolution<D, G, F> {
+    fn time_step(&mut self) -> Result<f64, Reason> {
+        if !self.current {
+            self.system.update_fields()?;
+            self.current = true;
+        }
+        Ok(match &mut self.stepping {
+            Stepping::Global(stepper) => {
+                stepper.begin(&mut self.system, &self.force);
+                self.courant * stepper.crossing_time(&self.system)
+            }
+            Stepping::Blocks(stepper) => stepper.begin(&mut self.system, &self.force),
+        })
+    }
+
+    fn advance(&mut self, step: f64) -> Result<(), Reason> {
+        let (before, now) = (&mut self.before, &self.system.particles);
+        before.position.clone_from(&now.position);
+        before.velocity.clone_from(&now.velocity);
+        before.thermal.clone_from(&now.thermal);
+        before.smoothing.clone_from(&now.smoothing);
+        let impulse = self.wall_impulse();
+        self.step(step).inspect_err(|_| {
+            std::mem::swap(&mut self.before, &mut self.system.particles);
+            self.set_wall_impulse(impulse);
+            // They were physical before the step.
+            self.current = self.system.update_fields().is_ok();
+        })
+    }
+}
