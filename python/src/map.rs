@@ -45,7 +45,6 @@ impl<'a> Plane<'a> {
 
 /// The largest and the smallest gain over all waves, `[x, y]`, with the phases where they are taken in one dimension.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "they are Python's keyword arguments")]
 pub fn gains<'py>(
     py: Python<'py>,
     subject: &NativeSubject,

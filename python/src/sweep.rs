@@ -158,7 +158,7 @@ impl<'a> Family<'a> {
             step = step.with(name, value).map_err(|problem| SubjectError::Value {
                 name: name.clone(),
                 value: value.clone(),
-                problem,
+                problem: Box::new(problem),
             })?;
         }
         Ok(step)

@@ -44,11 +44,12 @@ def stability_map(found: StabilityMap, ax: Any) -> Any:
     shown = np.where(largest > 1 + 1e-9, largest, lowest)
     norm = TwoSlopeNorm(vcenter=1.0, vmin=0.0, vmax=max(2.0, float(np.nanmin([np.nanmax(shown), 5.0]))))
     mesh = ax.pcolormesh(found.x, found.y, shown.T, norm=norm, cmap="RdBu_r", shading="nearest")
-    ax.figure.colorbar(mesh, ax=ax, label="|z|: least damped to most below 1, largest above")
+    ax.figure.colorbar(mesh, ax=ax, label="|z| of the most damped wave below 1, of the fastest growing one above")
     if found.limits is not None:
         limit = np.asarray(found.limits["value"])
         inside = np.where((limit > 0) & (limit <= found.y.max()), limit, np.nan)
         ax.plot(found.x, inside, color="black", linewidth=2, label="limit, decided")
         ax.legend(loc="upper left")
-    ax.set(xlabel=found.x_name, ylabel=found.y_name, title=found.scheme.title)
+    ax.set(xlabel=found.x_name, ylabel=found.y_name)
+    ax.set_title(found.scheme.title, fontsize="small", wrap=True)
     return ax

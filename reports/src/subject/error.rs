@@ -20,7 +20,7 @@ pub enum SubjectError {
         /// Their name, or their text.
         name: String,
         /// Why.
-        problem: SchemeError,
+        problem: Box<SchemeError>,
     },
     /// The integrator does not serve.
     #[error("integrator {name}: {problem}")]
@@ -28,7 +28,7 @@ pub enum SubjectError {
         /// Its name.
         name: String,
         /// Why.
-        problem: SchemeError,
+        problem: Box<SchemeError>,
     },
     /// The equations take no such value.
     #[error("{name} = {}: {problem}", brief(value))]
@@ -38,7 +38,7 @@ pub enum SubjectError {
         /// Its value.
         value: Rational,
         /// Why not.
-        problem: SchemeError,
+        problem: Box<SchemeError>,
     },
     /// The equations divide by something that vanishes for a value.
     #[error("{name} = {}: the equations divide by what vanishes for this value", brief(value))]

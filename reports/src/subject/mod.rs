@@ -144,7 +144,7 @@ impl Subject {
             lines = lines.with(name, value).map_err(|problem| SubjectError::Value {
                 name: name.clone(),
                 value: value.clone(),
-                problem,
+                problem: Box::new(problem),
             })?;
         }
         for (name, default) in &self.file.parameters {
@@ -233,7 +233,10 @@ impl Subject {
                     return Err(SubjectError::Division { name, value });
                 }
                 Ok(step) => step,
-                Err(problem) => return Err(SubjectError::Value { name, value, problem }),
+                Err(problem) => {
+                    let problem = Box::new(problem);
+                    return Err(SubjectError::Value { name, value, problem });
+                }
             };
         }
         Ok(step)
@@ -290,7 +293,8 @@ impl Subject {
 
     /// A problem with the equations, or with the integrator that completes them.
     pub fn failure(&self, problem: SchemeError) -> SubjectError {
-        match (&problem, &self.integrator) {
+        let problem = Box::new(problem);
+        match (&*problem, &self.integrator) {
             (SchemeError::Integrator(_), Some(integrator)) => {
                 SubjectError::Integrator { name: integrator.name.clone(), problem }
             }
