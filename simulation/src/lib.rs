@@ -7,6 +7,7 @@ pub mod boundary;
 pub mod comparison;
 pub mod finite_volume;
 pub mod lagrangian;
+pub mod lattice;
 pub mod march;
 pub mod method;
 pub mod particles;

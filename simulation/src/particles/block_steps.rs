@@ -8,17 +8,22 @@ use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
 use crate::run::Reason;
 
+/// Steps of particles that interact differ by this factor at most (Saitoh & Makino 2009).
+pub const STEP_RATIO: u32 = 4;
+
 /// Advances particles by steps `Δ/2^level`, first order in time.
 ///
 /// A block of length `Δ` begins with everybody at one time. Levels are set there, from the signal
-/// velocities of each particle and of those around it, and so that two which interact differ by one at most; they hold for
-/// the block. A **pair** has the shorter step of its two particles: its force is evaluated
+/// velocities of each particle and of those around it, and so that the steps of two which interact differ by a factor of
+/// [`STEP_RATIO`] at most; they hold for the block. A **pair** has the shorter step of its two particles: its force is evaluated
 /// when that step begins and its impulse goes to both, so that momentum is conserved to round-off
 /// whatever the levels. A particle takes the sum of its impulses at the end of its own step; until
 /// then it moves with its old velocity. With time-centred work the total energy is conserved to round-off
 /// too. With a single level this is centred Euler.
 ///
-/// Density and pairs are renewed for everybody in every substep; what is saved is Riemann problems.
+/// In a substep the *active* particles, whose step begins, search their neighbours, sum their density and evaluate
+/// their pairs. The passive ones are seen where their velocity has taken them, with the density, pressure and
+/// sound speed of the beginning of their own step, and get their half of the impulses.
 #[derive(Debug, Clone)]
 pub struct BlockStepper<const D: usize, T> {
     levels: u32,
@@ -26,7 +31,7 @@ pub struct BlockStepper<const D: usize, T> {
     rates: Rates<D, T>,
     level: Vec<u32>,
     signal: Vec<f64>,
-    old_signal: Vec<f64>,
+    active: Vec<u32>,
     impulse: Vec<Vector<D>>,
     energy: Vec<T>,
     /// Momentum that the walls have given so far.
@@ -44,7 +49,7 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             rates: Rates::default(),
             level: Vec::new(),
             signal: Vec::new(),
-            old_signal: Vec::new(),
+            active: Vec::new(),
             impulse: Vec::new(),
             energy: Vec::new(),
             wall_impulse: [0.0; D],
@@ -59,12 +64,8 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
 
     /// Looks at the signal velocities where a block begins, the fields of the system being those of its
     /// state; the longest block.
-    pub fn begin<G: Gas<Thermal = T>, F: PairForce>(
-        &mut self,
-        system: &mut ParticleSystem<D, G>,
-        force: &F,
-    ) -> f64 {
-        system.evaluate(force, &mut self.rates, |_| 1.0);
+    pub fn begin<G: Gas<Thermal = T>>(&mut self, system: &mut ParticleSystem<D, G>) -> f64 {
+        system.signals(&mut self.signal);
         self.warn(system);
         let steps = || (0..system.particles.len()).map(|i| self.own_step(system, i));
         let (shortest, slowest) =
@@ -103,9 +104,17 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
         let tick = length / f64::from(ticks);
         for now in 0..ticks {
             if now > 0 {
-                system.update_fields()?;
+                self.active.clear();
+                let begins = |level: u32| now.is_multiple_of(1 << (finest - level));
+                self.active
+                    .extend((0..).zip(&self.level).filter(|&(_, &l)| begins(l)).map(|(i, _)| i));
+                if self.active.len() < count {
+                    system.update_active(&self.active)?;
+                } else {
+                    system.update_fields()?;
+                }
             }
-            self.kick(system, force, finest, now, tick);
+            self.kick(system, force, finest, tick);
             for (x, v) in system.particles.position.iter_mut().zip(&system.particles.velocity) {
                 *x = plus_scaled(x, tick, v);
             }
@@ -119,53 +128,38 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
     /// through as many shells as there are levels: the way of a shock during the block. Without it
     /// a cold particle would be run over in the middle of a step it chose in peace.
     fn warn<G: Gas<Thermal = T>>(&mut self, system: &ParticleSystem<D, G>) {
-        self.signal.clone_from(&self.rates.signal);
         for _ in 0..self.levels {
-            self.old_signal.clone_from(&self.signal);
-            for pair in system.neighbours().pairs() {
-                let (a, b) = (pair.first as usize, pair.second as usize);
-                self.signal[a] = self.signal[a].max(self.old_signal[b]);
-                self.signal[b] = self.signal[b].max(self.old_signal[a]);
-            }
+            system.neighbours.spread(&mut self.signal, f64::max);
         }
     }
 
-    /// Raises levels until two particles that interact differ by one at most.
+    /// Raises levels until the steps of two that interact differ by a factor of [`STEP_RATIO`] at most.
     fn level_out<G: Gas<Thermal = T>>(&mut self, system: &ParticleSystem<D, G>) {
-        let mut changed = true;
-        while changed {
-            changed = false;
-            for pair in system.neighbours().pairs() {
-                let (a, b) = (pair.first as usize, pair.second as usize);
-                let least = self.level[a].max(self.level[b]).saturating_sub(1);
-                for i in [a, b] {
-                    if self.level[i] < least {
-                        self.level[i] = least;
-                        changed = true;
-                    }
-                }
-            }
-        }
+        let least = |own: u32, other: u32| own.max(other.saturating_sub(STEP_RATIO.ilog2()));
+        while system.neighbours.spread(&mut self.level, least) {}
     }
 
-    /// The impulses of the pairs whose step begins now.
+    /// The impulses of the pairs whose step begins now: those with an active end.
     fn kick<G: Gas<Thermal = T>, F: PairForce>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
         finest: u32,
-        now: u32,
         tick: f64,
     ) {
         let level = &self.level;
-        system.evaluate(force, &mut self.rates, |pair| {
-            let ticks =
-                1_u32 << (finest - level[pair.first as usize].max(level[pair.second as usize]));
-            if now.is_multiple_of(ticks) { f64::from(ticks) * tick } else { 0.0 }
+        system.evaluate(force, &mut self.rates, |a, b| {
+            f64::from(1_u32 << (finest - level[a].max(level[b]))) * tick
         });
-        for i in 0..self.impulse.len() {
-            self.impulse[i] = plus_scaled(&self.impulse[i], 1.0, &self.rates.acceleration[i]);
-            self.energy[i] = self.energy[i].plus_scaled(1.0, self.rates.energy[i]);
+        let rates = &self.rates;
+        let mut add = |i: usize| {
+            self.impulse[i] = plus_scaled(&self.impulse[i], 1.0, &rates.acceleration[i]);
+            self.energy[i] = self.energy[i].plus_scaled(1.0, rates.energy[i]);
+        };
+        if rates.touched.is_empty() {
+            (0..self.level.len()).for_each(&mut add);
+        } else {
+            rates.touched.iter().for_each(|&i| add(i as usize));
         }
         self.wall_impulse = plus_scaled(&self.wall_impulse, 1.0, &self.rates.wall_force);
     }

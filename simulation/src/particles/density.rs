@@ -1,8 +1,10 @@
 //! Density by summation, and the smoothing length that belongs to it.
 
-use super::neighbours::{Block, Neighbour, Neighbours, for_each_block};
+use super::domain::Domain;
+use super::neighbours::{Link, Neighbours};
+use super::parallel::{fill, for_each_block};
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
-use super::vector::Vector;
+use super::vector::{Vector, dot};
 use crate::run::Reason;
 
 /// How smoothing lengths are chosen.
@@ -24,16 +26,19 @@ impl Smoothing {
     pub fn adaptive(eta: f64) -> Self {
         Self::Adaptive { eta, tolerance: 1e-8 }
     }
+}
 
-    /// Pairs are searched in a range this much larger than the present smoothing lengths need, so
-    /// that these may grow without a new search.
-    fn margin(self) -> f64 {
-        match self {
-            // A unit in the last place, for pairs exactly at the edge of the support.
-            Self::Constant => 1.0 + 1e-12,
-            Self::Adaptive { .. } => 1.1,
-        }
-    }
+/// Neighbours are searched in a range this much larger than the present smoothing lengths need, so that these may
+/// grow, and particles move, without a new search. A wider margin costs candidates as its power `D`.
+fn margin(dimension: usize) -> f64 {
+    [1.3, 1.15, 1.1][dimension - 1]
+}
+
+/// Where the particles are, and their smoothing lengths.
+pub(super) struct Positions<'a, const D: usize> {
+    pub position: &'a [Vector<D>],
+    pub mass: &'a [f64],
+    pub smoothing: &'a mut [f64],
 }
 
 /// Newton's iteration for one `h` takes three or four steps from the last one's.
@@ -43,26 +48,8 @@ const MOST_ITERATIONS: usize = 100;
 /// Searches in ranges growing by half each: enough for any gap a few thousand spacings wide.
 const MOST_SEARCHES: usize = 40;
 
-/// `ρ = Σ m_j W(r_j, h)` and `dρ/dh` of particle `i`, itself included.
-#[inline]
-fn sums<const D: usize>(
-    kernel: &SmoothingKernel<D>,
-    masses: &[f64],
-    particle: usize,
-    neighbours: &[Neighbour],
-    h: f64,
-) -> (f64, f64) {
-    let mut density = masses[particle] * kernel.value(0.0, h);
-    let mut tilt = 0.0; // Σ m r ∂W/∂r
-    for neighbour in neighbours {
-        let mass = masses[neighbour.other as usize];
-        density += mass * kernel.value(neighbour.distance, h);
-        tilt += mass * neighbour.distance * kernel.slope(neighbour.distance, h);
-    }
-    (density, -(D as f64 * density + tilt) / h)
-}
-
 /// The result for one particle.
+#[derive(Debug, Clone, Copy)]
 enum Outcome {
     Done {
         density: f64,
@@ -78,45 +65,49 @@ enum Outcome {
 #[derive(Debug, Clone, Default)]
 struct Scratch {
     block: usize,
-    density: Vec<f64>,
-    smoothing: Vec<f64>,
-    widened: bool,
-    failed: Option<usize>,
+    outcomes: Vec<Outcome>,
+    /// Distances and masses of one particle's neighbours.
+    near: Vec<(f64, f64)>,
 }
 
-/// Searches pairs, solves for smoothing lengths and sums densities.
+/// Searches neighbours, solves for smoothing lengths and sums densities.
 #[derive(Debug, Clone)]
 pub(super) struct DensitySum<const D: usize> {
     pub kernel: SmoothingKernel<D>,
     pub rule: Smoothing,
     /// Range of the pair force in units of the kernel's support.
     pub reach: f64,
-    radii: Vec<f64>,
+    mass: Vec<f64>,
     scratch: Vec<Scratch>,
 }
 
 impl<const D: usize> DensitySum<D> {
     pub fn new(kernel: SmoothingKernel<D>, rule: Smoothing, reach: f64) -> Self {
-        Self { kernel, rule, reach, radii: Vec::new(), scratch: Vec::new() }
+        Self { kernel, rule, reach, mass: Vec::new(), scratch: Vec::new() }
     }
 
-    /// Afterwards `neighbours` holds every pair within the new smoothing lengths.
+    /// Density and smoothing length of the active particles (all, if there is no list of their numbers). Afterwards
+    /// `neighbours` holds all of theirs within the new smoothing lengths.
     pub fn solve(
         &mut self,
-        domain: &super::domain::Domain<D>,
-        positions: &[Vector<D>],
-        masses: &[f64],
-        smoothing: &mut [f64],
+        domain: &Domain<D>,
+        state: Positions<'_, D>,
+        active: Option<&[u32]>,
         density: &mut [f64],
         neighbours: &mut Neighbours<D>,
     ) -> Result<(), Reason> {
-        let mut margin = self.rule.margin();
+        let Positions { position, mass, smoothing } = state;
+        let range = self.kernel.support() * self.reach;
+        let mut margin = margin(D);
         for _ in 0..MOST_SEARCHES {
-            let range = self.kernel.support() * self.reach * margin;
-            self.radii.clear();
-            self.radii.extend(smoothing.iter().map(|h| h * range));
-            neighbours.search(domain, positions, &self.radii);
-            if !self.sum(masses, smoothing, density, margin, neighbours)? {
+            let lengths = &*smoothing;
+            let reusable = active.is_none() && margin == self::margin(D);
+            let slack = reusable.then(|| neighbours.reuse(position, |i| lengths[i] * range));
+            let slack = slack.flatten().unwrap_or_else(|| {
+                neighbours.search_from(domain, position, active, |i| lengths[i] * range * margin);
+                0.0
+            });
+            if !self.sum(mass, smoothing, density, slack, neighbours)? {
                 return Ok(());
             }
             margin = 1.5;
@@ -124,67 +115,94 @@ impl<const D: usize> DensitySum<D> {
         Err(Reason::SmoothingLength { particle: 0 })
     }
 
-    /// One pass over all particles; whether some need pairs from further away.
+    /// One pass over the active particles; whether some need pairs from further away.
     fn sum(
         &mut self,
         masses: &[f64],
         smoothing: &mut [f64],
         density: &mut [f64],
-        margin: f64,
+        slack: f64,
         neighbours: &Neighbours<D>,
     ) -> Result<bool, Reason> {
+        let cells = &neighbours.cells;
+        fill(&mut self.mass, masses.len(), |at| masses[cells.order[at] as usize]);
         self.scratch.resize_with(neighbours.blocks.len(), Scratch::default);
-        let (kernel, rule) = (&self.kernel, self.rule);
-        let lengths = &*smoothing;
         for (block, scratch) in self.scratch.iter_mut().enumerate() {
             scratch.block = block;
-            scratch.widened = false;
-            scratch.failed = None;
-            scratch.density.clear();
-            scratch.smoothing.clear();
         }
+        let range = self.kernel.support() * self.reach;
+        let (kernel, rule, mass, lengths) = (&self.kernel, self.rule, &self.mass, &*smoothing);
         for_each_block(&mut self.scratch, |scratch| {
-            let block: &Block<D> = &neighbours.blocks[scratch.block];
+            let block = &neighbours.blocks[scratch.block];
+            scratch.outcomes.clear();
             for k in 0..block.len {
-                let particle = block.start + k;
-                let h = lengths[particle];
-                let near = block.neighbours(k);
-                let outcome = match rule {
-                    Smoothing::Constant => {
-                        Outcome::Done { density: sums(kernel, masses, particle, near, h).0, h }
+                let number = neighbours.number(block, k);
+                let at = neighbours.active[block.start + k] as usize;
+                let (h, own) = (lengths[number], mass[at]);
+                let widest = (neighbours.radius(number) - slack) / range;
+                let edge = kernel.support() * widest * (1.0 + 1e-9);
+                scratch.near.clear();
+                for neighbour in block.all(k) {
+                    let other = neighbour.other as usize;
+                    let image = match neighbour.link() {
+                        Link::Image(image) => image,
+                        Link::Known(_) | Link::Own => cells.identity,
+                    };
+                    let (here, there) = (&cells.position[at], &cells.position[other]);
+                    let displacement = cells.images[image].displacement(here, there);
+                    let square = dot(&displacement, &displacement);
+                    if square <= edge * edge {
+                        scratch.near.push((square.sqrt(), mass[other]));
                     }
+                }
+                let sums = |h: f64| sums(kernel, own, &scratch.near, h);
+                scratch.outcomes.push(match rule {
+                    Smoothing::Constant => Outcome::Done { density: sums(h).0, h },
                     Smoothing::Adaptive { eta, tolerance } => {
-                        let sums = |h: f64| sums(kernel, masses, particle, near, h);
-                        newton::<D>(sums, eta, masses[particle], h, tolerance, h * margin)
+                        newton::<D>(sums, eta, own, h, tolerance, widest)
                     }
-                };
-                let (density, h) = match outcome {
-                    Outcome::Done { density, h } => (density, h),
-                    Outcome::Wider { h } => {
-                        scratch.widened = true;
-                        (0.0, h)
-                    }
-                    Outcome::Failed => {
-                        scratch.failed = scratch.failed.or(Some(particle));
-                        (0.0, h)
-                    }
-                };
-                scratch.density.push(density);
-                scratch.smoothing.push(h);
+                });
             }
         });
         let mut widened = false;
         for (block, scratch) in neighbours.blocks.iter().zip(&self.scratch) {
-            if let Some(particle) = scratch.failed {
-                return Err(Reason::SmoothingLength { particle });
+            for (k, &outcome) in scratch.outcomes.iter().enumerate() {
+                let particle = neighbours.number(block, k);
+                match outcome {
+                    Outcome::Done { density: sum, h } => {
+                        density[particle] = sum;
+                        smoothing[particle] = h;
+                    }
+                    Outcome::Wider { h } => {
+                        widened = true;
+                        smoothing[particle] = h;
+                    }
+                    Outcome::Failed => return Err(Reason::SmoothingLength { particle }),
+                }
             }
-            widened |= scratch.widened;
-            let range = block.start..block.start + block.len;
-            density[range.clone()].copy_from_slice(&scratch.density);
-            smoothing[range].copy_from_slice(&scratch.smoothing);
         }
         Ok(widened)
     }
+}
+
+/// `ρ = Σ m_j W(r_j, h)` and `dρ/dh` of a particle, itself included, from distances and masses of the others.
+#[inline]
+fn sums<const D: usize>(
+    kernel: &SmoothingKernel<D>,
+    own: f64,
+    near: &[(f64, f64)],
+    h: f64,
+) -> (f64, f64) {
+    let mut density = own * kernel.shape(0.0)[0];
+    let mut tilt = 0.0; // Σ m q w'(q)
+    for &(distance, mass) in near {
+        let q = distance / h;
+        let [value, slope] = kernel.shape(q);
+        density += mass * value;
+        tilt += mass * q * slope;
+    }
+    let norm = kernel.norm(h);
+    (norm * density, -norm * (D as f64 * density + tilt) / h)
 }
 
 /// Newton for `F = h − η (m/ρ(h))^(1/D) = 0`, in steps of at most a third and inside the bracket

@@ -59,6 +59,18 @@ impl<const D: usize> Domain<D> {
         Self { lower, upper, boundary: [[boundary; 2]; D] }
     }
 
+    /// The position inside the domain on its periodic axes: whole periods away.
+    pub(super) fn wrap(&self, x: &Vector<D>) -> Vector<D> {
+        std::array::from_fn(|axis| {
+            let length = self.upper[axis] - self.lower[axis];
+            if self.boundary[axis].contains(&Boundary::Periodic) {
+                x[axis] - ((x[axis] - self.lower[axis]) / length).floor() * length
+            } else {
+                x[axis]
+            }
+        })
+    }
+
     /// All images that can come within `reach` of particles in the box from `low` to `high`,
     /// the identity first. Positions need not be wrapped into the domain.
     pub(super) fn images(

@@ -136,7 +136,7 @@ impl<const D: usize, G: Gas, F: PairForce> Evolution for ParticleEvolution<D, G,
                 stepper.begin(&mut self.system, &self.force);
                 self.courant * stepper.crossing_time(&self.system)
             }
-            Stepping::Blocks(stepper) => stepper.begin(&mut self.system, &self.force),
+            Stepping::Blocks(stepper) => stepper.begin(&mut self.system),
         })
     }
 

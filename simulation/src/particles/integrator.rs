@@ -76,7 +76,7 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         system: &mut ParticleSystem<D, G>,
         force: &F,
     ) {
-        system.evaluate(force, &mut self.rates, |_| 1.0);
+        system.evaluate(force, &mut self.rates, |_, _| 1.0);
         self.started = true;
     }
 

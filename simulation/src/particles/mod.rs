@@ -16,6 +16,7 @@ mod method;
 mod neighbours;
 mod pair_force;
 mod pair_weight;
+mod parallel;
 mod rates;
 mod result;
 mod ring;

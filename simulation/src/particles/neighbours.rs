@@ -1,126 +1,192 @@
-//! Pairs of interacting particles, and each particle's neighbours in a canonical order.
+//! The neighbours of each particle, in a canonical order.
 
 use super::cells::Cells;
 use super::domain::{Domain, Image};
+use super::parallel::{fill, first, for_each_block};
 use super::vector::{Vector, dot};
-use rayon::prelude::*;
 
 /// Particles are handled in blocks of this many, whatever the number of threads.
-const BLOCK: usize = 1024;
+pub(super) const BLOCK: usize = 256;
 
-/// Two particles, or a particle and an image, closer than the larger of their radii. It is evaluated once.
+/// Two particles, or a particle and an image, not further apart than the larger of their radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair<const D: usize> {
-    /// The particle that is itself.
+pub struct Pair {
+    /// The particle with the lower number.
     pub first: u32,
-    /// The particle whose image is the other end.
+    /// The other one, whose image is the other end.
     pub second: u32,
-    /// Which image of the second: an index into [`Neighbours::images`], 0 for itself.
-    pub image: u16,
-    /// Whether the first is left of the second: the first non-zero component of the displacement
-    /// is positive.
-    pub first_is_left: bool,
+    /// Which image of the second: an index into [`Neighbours::images`].
+    pub image: usize,
     /// Distance of the two ends.
     pub distance: f64,
-    /// Unit vector from the left end to the right end (zero for coincident ends).
-    pub direction: Vector<D>,
 }
 
-/// One end of a pair as a particle sees it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// One of a particle's neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Neighbour {
-    pub distance: f64,
-    /// The particle at the other end.
+    /// Its place in the spatial order.
     pub other: u32,
-    /// Block and index of the pair.
-    block: u32,
-    index: u32,
-    /// Whether this particle is the pair's first.
-    pub is_first: bool,
-    /// Whether the other end is to the right.
-    pub to_right: bool,
+    link: u32,
 }
 
-/// The pairs owned by a block of particles, and the neighbours of each of them.
+/// How a pair is evaluated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Link {
+    /// With an image: from both its ends, each for itself.
+    Image(usize),
+    /// The neighbour, which comes first in the spatial order, has evaluated the pair and left the result here.
+    Known(usize),
+    /// By this particle, which comes first or whose neighbour is passive.
+    Own,
+}
+
+const IMAGE: u32 = 1 << 31;
+const OWN: u32 = IMAGE - 1;
+
+impl Neighbour {
+    #[inline]
+    pub fn link(self) -> Link {
+        if self.link & IMAGE != 0 {
+            Link::Image((self.link & !IMAGE) as usize)
+        } else if self.link == OWN {
+            Link::Own
+        } else {
+            Link::Known(self.link as usize)
+        }
+    }
+}
+
+/// The neighbours of a block of active particles that follow each other in the spatial order.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Block<const D: usize> {
-    /// The first particle of the block.
+pub(super) struct Block {
+    /// The first one's index among the active particles.
     pub start: usize,
     /// How many there are.
     pub len: usize,
-    /// Pairs owned by the block's particles.
-    pub pairs: Vec<Pair<D>>,
-    neighbours: Vec<Neighbour>,
-    /// `starts[k]..starts[k + 1]` are the neighbours of particle `start + k`.
-    starts: Vec<u32>,
-    next: Vec<u32>,
+    /// The number of pairs evaluated by the blocks before this one.
+    first_pair: usize,
+    /// Neighbours before and after each particle.
+    before: Vec<Neighbour>,
+    after: Vec<Neighbour>,
+    before_starts: Vec<u32>,
+    after_starts: Vec<u32>,
 }
 
-impl<const D: usize> Block<D> {
-    /// The neighbours of the `k`-th particle of the block, nearest first.
+impl Block {
+    /// Neighbours before the `k`-th particle of the block: images on the left, and those that come first.
     #[inline]
-    pub fn neighbours(&self, k: usize) -> &[Neighbour] {
-        &self.neighbours[self.starts[k] as usize..self.starts[k + 1] as usize]
+    pub fn before(&self, k: usize) -> &[Neighbour] {
+        &self.before[self.before_starts[k] as usize..self.before_starts[k + 1] as usize]
+    }
+
+    /// Neighbours after it: those that come later, and images on the right.
+    #[inline]
+    pub fn after(&self, k: usize) -> &[Neighbour] {
+        &self.after[self.after_starts[k] as usize..self.after_starts[k + 1] as usize]
+    }
+
+    /// All of them, before and after.
+    #[inline]
+    pub fn all(&self, k: usize) -> impl Iterator<Item = &Neighbour> {
+        self.before(k).iter().chain(self.after(k))
     }
 }
 
-impl Neighbour {
-    /// Where the pair is: block and index in it.
-    #[inline]
-    pub fn pair(&self) -> (usize, usize) {
-        (self.block as usize, self.index as usize)
-    }
-}
-
-/// All pairs and neighbours. Buffers are kept from one search to the next, so that a step allocates
+/// The neighbours of the active particles. Buffers are kept from one search to the next, so that a step allocates
 /// nothing once they have grown.
 ///
-/// **Which pairs.** Those with `r ≤ max(R_first, R_second)`, each once: it is found by the particle with the
-/// larger radius (the lower index among equals), because only that one is sure to see it. A mirror
-/// image seen from here is this particle's image seen from there, so reflected pairs obey the same rule.
+/// **Who is a neighbour.** Everyone, image or not, with `r ≤ max(R, R_other)`: each of two active particles
+/// has the other in its list.
 ///
-/// **In which order.** A particle's neighbours are sorted by distance, the left one first among equals. Sums over
-/// them depend neither on threads nor on how particles are numbered, and on an exactly
-/// representable lattice opposite forces cancel exactly.
+/// **In which order.** That of [`Cells`]: space, not numbers. On a line it is from left to right; there the sums of those
+/// before, from near to far, and of those after, from near to far, cancel exactly on an exactly representable lattice.
 #[derive(Debug, Clone)]
 pub struct Neighbours<const D: usize> {
-    cells: Cells<D>,
-    pub(super) blocks: Vec<Block<D>>,
+    pub(super) cells: Cells<D>,
+    /// Places of the active particles in the spatial order, ascending.
+    pub(super) active: Vec<u32>,
+    /// The index of a place among those of the active ones, or [`PASSIVE`].
+    rank: Vec<u32>,
+    pub(super) blocks: Vec<Block>,
+    next: Vec<u32>,
+    /// Radii by number.
+    radii: Vec<f64>,
+    complete: bool,
+    /// Searches done so far, of one particle each.
+    pub(super) searches: u64,
 }
+
+const PASSIVE: u32 = u32::MAX;
 
 impl<const D: usize> Default for Neighbours<D> {
     fn default() -> Self {
-        Self { cells: Cells::default(), blocks: Vec::new() }
-    }
-}
-
-/// Runs a task on every block; a single block stays on the calling thread, since waking
-/// another one costs more than a step of a few hundred particles.
-pub(super) fn for_each_block<T: Send>(blocks: &mut [T], task: impl Fn(&mut T) + Sync + Send) {
-    match blocks {
-        [only] => task(only),
-        many => many.par_iter_mut().for_each(task),
+        Self {
+            cells: Cells::default(),
+            active: Vec::new(),
+            rank: Vec::new(),
+            blocks: Vec::new(),
+            next: Vec::new(),
+            radii: Vec::new(),
+            complete: false,
+            searches: 0,
+        }
     }
 }
 
 impl<const D: usize> Neighbours<D> {
-    /// Finds all pairs of `positions` (units length) with interaction `radii`.
+    /// Finds everybody's neighbours within `radii` (units length).
     pub fn search(&mut self, domain: &Domain<D>, positions: &[Vector<D>], radii: &[f64]) {
-        let count = positions.len();
-        self.cells.build(domain, positions, radii);
+        self.search_from(domain, positions, None, |i| radii[i]);
+    }
+
+    /// Finds the neighbours of the active particles (all, if there is no list of their numbers) within
+    /// `radius(number)`.
+    pub(super) fn search_from(
+        &mut self,
+        domain: &Domain<D>,
+        positions: &[Vector<D>],
+        active: Option<&[u32]>,
+        radius: impl Fn(usize) -> f64 + Sync + Send,
+    ) {
+        fill(&mut self.radii, positions.len(), radius);
+        self.cells.build(domain, positions, &self.radii);
+        self.activate(active);
+        self.complete = active.is_none();
+        self.searches += self.active.len() as u64;
+        let count = self.active.len();
         self.blocks.resize_with(count.div_ceil(BLOCK), Block::default);
         for (index, block) in self.blocks.iter_mut().enumerate() {
             block.start = index * BLOCK;
             block.len = BLOCK.min(count - block.start);
         }
-        let cells = &self.cells;
-        for_each_block(&mut self.blocks, |block| {
-            block.pairs.clear();
-            for first in block.start..block.start + block.len {
-                find_pairs(cells, positions, radii, first, &mut block.pairs);
-            }
-        });
-        self.gather();
+        let (cells, active) = (&self.cells, &self.active);
+        for_each_block(&mut self.blocks, |block| block.search(cells, active));
+        self.link();
+    }
+
+    /// Whether everybody's lists still hold all neighbours within `radius(number)` after a motion since they were
+    /// made; then the places are brought up to date. Returns what must be left of the radii searched in: twice
+    /// the largest displacement.
+    pub(super) fn reuse(
+        &mut self,
+        positions: &[Vector<D>],
+        radius: impl Fn(usize) -> f64 + Sync + Send,
+    ) -> Option<f64> {
+        if !self.complete || self.radii.len() != positions.len() {
+            return None;
+        }
+        let slack = 2.0 * self.cells.moved(positions);
+        let radii = &self.radii;
+        if first(radii.len(), |i| radius(i) + slack > radii[i]).is_some() {
+            return None;
+        }
+        self.cells.refresh(positions);
+        Some(slack)
+    }
+
+    /// The radius a particle was searched with, by number.
+    pub(super) fn radius(&self, particle: usize) -> f64 {
+        self.radii[particle]
     }
 
     /// The images that occur in pairs.
@@ -128,145 +194,171 @@ impl<const D: usize> Neighbours<D> {
         &self.cells.images
     }
 
-    /// All pairs, in the order of their first particles.
-    pub fn pairs(&self) -> impl Iterator<Item = &Pair<D>> {
-        self.blocks.iter().flat_map(|block| &block.pairs)
+    /// Whether the particle at a place is active.
+    #[inline]
+    pub(super) fn is_active(&self, place: usize) -> bool {
+        self.complete || self.rank[place] != PASSIVE
     }
 
-    /// How many pairs there are.
-    pub fn len(&self) -> usize {
-        self.blocks.iter().map(|block| block.pairs.len()).sum()
+    /// The block that has evaluated the pair known to a later neighbour of the particle at a place, and its index there.
+    #[inline]
+    pub(super) fn pair(&self, earlier: usize, pair: usize) -> (usize, usize) {
+        let rank = if self.complete { earlier } else { self.rank[earlier] as usize };
+        (rank / BLOCK, pair - self.blocks[rank / BLOCK].first_pair)
     }
 
-    /// Whether there is no pair.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
+    /// The number of the `k`-th particle of a block.
+    #[inline]
+    pub(super) fn number(&self, block: &Block, k: usize) -> usize {
+        self.cells.order[self.active[block.start + k] as usize] as usize
     }
 
-    /// From pairs to the neighbours of each particle.
-    fn gather(&mut self) {
-        for block in &mut self.blocks {
-            block.next.clear();
-            block.next.resize(block.len, 0);
-        }
-        for at in 0..self.blocks.len() {
-            for index in 0..self.blocks[at].pairs.len() {
-                let pair = self.blocks[at].pairs[index];
-                let first = pair.first as usize;
-                self.blocks[at].next[first % BLOCK] += 1;
-                if pair.second != pair.first {
-                    let second = pair.second as usize;
-                    self.blocks[second / BLOCK].next[second % BLOCK] += 1;
-                }
-            }
-        }
-        for block in &mut self.blocks {
-            let mut total = 0;
-            block.starts.clear();
-            block.starts.push(0);
-            for next in &mut block.next {
-                let start = total;
-                total += *next;
-                block.starts.push(total);
-                *next = start;
-            }
-            let empty = Neighbour {
-                distance: 0.0,
-                other: 0,
-                block: 0,
-                index: 0,
-                is_first: true,
-                to_right: true,
+    /// All pairs of active particles, each once; a particle and its own image are one for each image.
+    pub fn pairs(&self) -> impl Iterator<Item = Pair> {
+        self.blocks
+            .iter()
+            .flat_map(move |block| (0..block.len).flat_map(move |k| self.pairs_of(block, k)))
+    }
+
+    fn pairs_of<'a>(&'a self, block: &'a Block, k: usize) -> impl Iterator<Item = Pair> + 'a {
+        let at = self.active[block.start + k] as usize;
+        let here = self.cells.order[at];
+        block.all(k).filter_map(move |neighbour| {
+            let there = self.cells.order[neighbour.other as usize];
+            let image = match neighbour.link() {
+                Link::Image(image) => image,
+                Link::Known(_) | Link::Own => self.cells.identity,
             };
-            block.neighbours.clear();
-            block.neighbours.resize(total as usize, empty);
+            let (x, y) = (&self.cells.position[at], &self.cells.position[neighbour.other as usize]);
+            let displacement = self.cells.images[image].displacement(x, y);
+            let distance = dot(&displacement, &displacement).sqrt();
+            (here <= there).then_some(Pair { first: here, second: there, image, distance })
+        })
+    }
+
+    /// `value[i] ← meet(value[i], value[j])` over all neighbours `j`, by number and for everybody at once; whether any
+    /// value changed.
+    pub(super) fn spread<T: Copy + PartialEq + Send + Sync>(
+        &self,
+        values: &mut [T],
+        meet: impl Fn(T, T) -> T + Sync + Send,
+    ) -> bool {
+        let order = &self.cells.order;
+        let (mut here, mut next) = (Vec::new(), Vec::new());
+        {
+            let values = &*values;
+            fill(&mut here, values.len(), |at| values[order[at] as usize]);
         }
-        for at in 0..self.blocks.len() {
-            for index in 0..self.blocks[at].pairs.len() {
-                let pair = self.blocks[at].pairs[index];
-                let seen = Neighbour {
-                    distance: pair.distance,
-                    other: pair.second,
-                    block: at as u32,
-                    index: index as u32,
-                    is_first: true,
-                    to_right: pair.first_is_left,
-                };
-                self.blocks[at].put(pair.first as usize % BLOCK, seen);
-                // A particle and its own image are one particle: both images of a periodic one,
-                // the one image in a mirror, are pairs of their own and enter as first only.
-                if pair.second != pair.first {
-                    let second = pair.second as usize;
-                    let back = Neighbour {
-                        other: pair.first,
-                        is_first: false,
-                        // In a mirror left is right: each of the two sees the other beyond the wall.
-                        to_right: pair.first_is_left
-                            == self.cells.images[pair.image as usize].reflects(),
-                        ..seen
-                    };
-                    self.blocks[second / BLOCK].put(second % BLOCK, back);
+        fill(&mut next, values.len(), |at| {
+            let neighbours = self.blocks[at / BLOCK].all(at % BLOCK);
+            neighbours.fold(here[at], |own, other| meet(own, here[other.other as usize]))
+        });
+        for (&number, &value) in order.iter().zip(&next) {
+            values[number as usize] = value;
+        }
+        here != next
+    }
+
+    fn activate(&mut self, active: Option<&[u32]>) {
+        let count = self.cells.order.len();
+        let Some(active) = active else {
+            fill(&mut self.active, count, |at| at as u32);
+            return;
+        };
+        // By number first; then by place.
+        self.next.clear();
+        self.next.resize(count, PASSIVE);
+        for &number in active {
+            self.next[number as usize] = 0;
+        }
+        self.active.clear();
+        self.rank.clear();
+        for (at, &number) in (0..).zip(&self.cells.order) {
+            if self.next[number as usize] == PASSIVE {
+                self.rank.push(PASSIVE);
+            } else {
+                self.rank.push(self.active.len() as u32);
+                self.active.push(at);
+            }
+        }
+    }
+
+    /// Tells those who come later where those who come first leave the results of pairs.
+    ///
+    /// Later particles are taken in order, and the lists of earlier ones are in order: each list is walked once.
+    fn link(&mut self) {
+        let mut pairs = 0;
+        self.next.clear();
+        for block in &mut self.blocks {
+            block.first_pair = pairs;
+            pairs += block.after.len();
+            let starts = &block.after_starts[..block.len];
+            self.next.extend(starts.iter().map(|start| block.first_pair as u32 + start));
+        }
+        assert!(pairs < OWN as usize, "fewer than 2^31 pairs");
+        for index in 0..self.blocks.len() {
+            let mut before = std::mem::take(&mut self.blocks[index].before);
+            for k in 0..self.blocks[index].len {
+                let later = self.active[self.blocks[index].start + k];
+                let starts = &self.blocks[index].before_starts;
+                for neighbour in &mut before[starts[k] as usize..starts[k + 1] as usize] {
+                    if neighbour.link != OWN || !self.is_active(neighbour.other as usize) {
+                        continue;
+                    }
+                    let earlier = neighbour.other as usize;
+                    let rank = if self.complete { earlier } else { self.rank[earlier] as usize };
+                    let block = &self.blocks[rank / BLOCK];
+                    let next = &mut self.next[rank];
+                    while block.after[*next as usize - block.first_pair].other != later {
+                        *next += 1;
+                    }
+                    neighbour.link = *next;
+                    *next += 1;
                 }
             }
+            self.blocks[index].before = before;
         }
-        for_each_block(&mut self.blocks, |block| {
-            for k in 0..block.len {
-                let range = block.starts[k] as usize..block.starts[k + 1] as usize;
-                block.neighbours[range].sort_unstable_by(|a, b| {
-                    (a.distance.total_cmp(&b.distance))
-                        .then(a.to_right.cmp(&b.to_right))
-                        .then((a.block, a.index).cmp(&(b.block, b.index)))
-                });
+    }
+}
+
+impl Block {
+    fn search<const D: usize>(&mut self, cells: &Cells<D>, active: &[u32]) {
+        self.before.clear();
+        self.after.clear();
+        self.before_starts.clear();
+        self.after_starts.clear();
+        for &at in &active[self.start..self.start + self.len] {
+            let at = at as usize;
+            let starts = [self.before.len(), self.after.len()];
+            self.before_starts.push(starts[0] as u32);
+            self.after_starts.push(starts[1] as u32);
+            let mut images = false;
+            cells.around(at, |other, image| {
+                let inside = image == cells.identity;
+                images |= !inside;
+                let link = if inside { OWN } else { IMAGE | image as u32 };
+                let neighbour = Neighbour { other: other as u32, link };
+                if (image, other) < (cells.identity, at) {
+                    self.before.push(neighbour);
+                } else {
+                    self.after.push(neighbour);
+                }
+            });
+            if D == 1 && images {
+                // In a mirror the order is the other way round.
+                let place = |neighbour: &Neighbour| match neighbour.link() {
+                    Link::Image(image) => {
+                        cells.images[image].position(&cells.position[neighbour.other as usize])[0]
+                    }
+                    // Between the images on the left and those on the right.
+                    Link::Known(_) | Link::Own => cells.position[at][0],
+                };
+                let by_place = |a: &Neighbour, b: &Neighbour| place(a).total_cmp(&place(b));
+                self.before[starts[0]..].sort_by(by_place);
+                self.after[starts[1]..].sort_by(by_place);
             }
-        });
-    }
-}
-
-impl<const D: usize> Block<D> {
-    fn put(&mut self, k: usize, neighbour: Neighbour) {
-        let next = &mut self.next[k];
-        self.neighbours[*next as usize] = neighbour;
-        *next += 1;
-    }
-}
-
-fn find_pairs<const D: usize>(
-    cells: &Cells<D>,
-    positions: &[Vector<D>],
-    radii: &[f64],
-    first: usize,
-    pairs: &mut Vec<Pair<D>>,
-) {
-    let (x, radius) = (&positions[first], radii[first]);
-    cells.around(x, radius, |occupant| {
-        let second = occupant.particle as usize;
-        if (second == first && occupant.image == 0)
-            || radii[second] > radius
-            || (radii[second] == radius && second < first)
-        {
-            return;
         }
-        let image = &cells.images[occupant.image as usize];
-        let displacement = image.displacement(x, &positions[second]);
-        let square = dot(&displacement, &displacement);
-        if square > radius * radius {
-            return;
-        }
-        let distance = square.sqrt();
-        let first_is_left = displacement.iter().find(|&&d| d != 0.0).is_none_or(|&d| d > 0.0);
-        let sign = if first_is_left { 1.0 } else { -1.0 };
-        let direction = if distance > 0.0 {
-            displacement.map(|component| sign * component / distance)
-        } else {
-            [0.0; D]
-        };
-        pairs.push(Pair {
-            first: first as u32,
-            second: occupant.particle,
-            image: occupant.image,
-            first_is_left,
-            distance,
-            direction,
-        });
-    });
+        self.before_starts.push(self.before.len() as u32);
+        self.after_starts.push(self.after.len() as u32);
+    }
 }

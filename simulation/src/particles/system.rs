@@ -1,10 +1,12 @@
 //! Particles, the fields they carry, and the rates a pair force gives them.
 
-use super::density::{DensitySum, Smoothing};
-use super::domain::Domain;
+use super::density::{DensitySum, Positions, Smoothing};
+use super::domain::{Domain, Image};
 use super::gas::Gas;
-use super::neighbours::{Neighbours, Pair};
+use super::neighbours::{Link, Neighbour, Neighbours};
 use super::pair_force::PairForce;
+use super::parallel::{fill, first};
+use super::rates::End;
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
@@ -40,8 +42,12 @@ impl<const D: usize, T> Particles<D, T> {
 /// Work done so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counters {
-    /// Evaluations of the forces on all particles.
+    /// Evaluations of the forces, on all particles or on the active ones.
     pub evaluations: u64,
+    /// Particles whose neighbours were searched.
+    pub searches: u64,
+    /// Particles whose density was summed, with the iteration for their smoothing length.
+    pub densities: u64,
     /// Pairs for which a force was computed (each pair once, whichever way it is seen).
     pub interactions: u64,
     /// Iterations of the Riemann solver, after the first guesses.
@@ -62,6 +68,7 @@ pub struct ParticleSystem<const D: usize, G: Gas> {
     pub(super) pressure: Vec<f64>,
     pub(super) sound_speed: Vec<f64>,
     pub(super) volume_gradient: Vec<Vector<D>>,
+    pub(super) ends: Vec<End<D>>,
     /// Work done so far.
     pub counters: Counters,
 }
@@ -103,6 +110,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             } else {
                 Vec::new()
             },
+            ends: Vec::new(),
             counters: Counters::default(),
         }
     }
@@ -122,7 +130,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         &self.sound_speed
     }
 
-    /// The pairs of the last evaluation, those in the margin of the search included.
+    /// The neighbours of the last evaluation, those in the margin of the search included.
     pub fn neighbours(&self) -> &Neighbours<D> {
         &self.neighbours
     }
@@ -151,35 +159,61 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         Some(total)
     }
 
-    /// Density, pressure and sound speed of the present state, and its pairs.
+    /// Density, pressure and sound speed of the present state, and its neighbours.
     ///
     /// # Errors
     /// [`Reason`] if the state is not one of a gas.
     pub fn update_fields(&mut self) -> Result<(), Reason> {
+        self.update(None)
+    }
+
+    /// [`update_fields`](Self::update_fields) for some particles only: the others keep density, pressure, sound speed
+    /// and smoothing length, and are seen where they are now.
+    ///
+    /// # Errors
+    /// As [`update_fields`](Self::update_fields), looking at the active particles only.
+    pub(super) fn update_active(&mut self, active: &[u32]) -> Result<(), Reason> {
+        self.update(Some(active))
+    }
+
+    fn update(&mut self, active: Option<&[u32]>) -> Result<(), Reason> {
         let state = &mut self.particles;
-        for (particle, (x, v)) in state.position.iter().zip(&state.velocity).enumerate() {
-            if !x.iter().chain(v).all(|component| component.is_finite()) {
-                return Err(Reason::NotFinite { particle });
-            }
+        let number = |k: usize| active.map_or(k, |active| active[k] as usize);
+        let count = active.map_or(state.position.len(), <[u32]>::len);
+        let (position, velocity) = (&state.position, &state.velocity);
+        let thermal = &state.thermal;
+        let not_finite = |k: usize| {
+            let i = number(k);
+            !position[i].iter().chain(&velocity[i]).all(|component| component.is_finite())
+        };
+        if let Some(k) = first(count, not_finite) {
+            return Err(Reason::NotFinite { particle: number(k) });
         }
-        for (particle, thermal) in state.thermal.iter().enumerate() {
-            if !thermal.is_physical() {
-                let value = thermal.energy().unwrap_or(f64::NAN);
-                return Err(Reason::InternalEnergy { particle, value });
-            }
+        if let Some(k) = first(count, |k| !thermal[number(k)].is_physical()) {
+            let particle = number(k);
+            let value = thermal[particle].energy().unwrap_or(f64::NAN);
+            return Err(Reason::InternalEnergy { particle, value });
         }
-        self.sum.solve(
-            &self.domain,
-            &state.position,
-            &state.mass,
-            &mut state.smoothing,
-            &mut self.density,
-            &mut self.neighbours,
-        )?;
-        for particle in 0..state.len() {
-            let (density, thermal) = (self.density[particle], state.thermal[particle]);
-            self.pressure[particle] = self.gas.pressure(density, thermal);
-            self.sound_speed[particle] = self.gas.sound_speed(density, thermal);
+        let positions = Positions {
+            position: &state.position,
+            mass: &state.mass,
+            smoothing: &mut state.smoothing,
+        };
+        self.sum.solve(&self.domain, positions, active, &mut self.density, &mut self.neighbours)?;
+        self.counters.densities += count as u64;
+        self.counters.searches = self.neighbours.searches;
+        let (gas, density) = (self.gas, &self.density);
+        match active {
+            None => {
+                fill(&mut self.pressure, count, |i| gas.pressure(density[i], thermal[i]));
+                fill(&mut self.sound_speed, count, |i| gas.sound_speed(density[i], thermal[i]));
+            }
+            Some(active) => {
+                for i in active.iter().map(|&i| i as usize) {
+                    self.pressure[i] = gas.pressure(density[i], thermal[i]);
+                    self.sound_speed[i] = gas.sound_speed(density[i], thermal[i]);
+                }
+            }
         }
         if !self.volume_gradient.is_empty() {
             self.update_volume_gradients();
@@ -187,32 +221,41 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         Ok(())
     }
 
-    /// `∇(1/ρ) = −Σ m_j ∇W(r, h_i)/ρ_i²`.
+    /// `∇(1/ρ) = −Σ m_j ∇W(r, h_i)/ρ_i²` of the active particles.
     fn update_volume_gradients(&mut self) {
-        let (kernel, state) = (&self.sum.kernel, &self.particles);
-        for block in &self.neighbours.blocks {
+        let (kernel, state, neighbours) = (&self.sum.kernel, &self.particles, &self.neighbours);
+        for block in &neighbours.blocks {
             for k in 0..block.len {
-                let i = block.start + k;
-                let mut gradient = [0.0; D];
-                for neighbour in block.neighbours(k) {
-                    let (at, index) = neighbour.pair();
-                    let pair = &self.neighbours.blocks[at].pairs[index];
-                    let slope = kernel.slope(neighbour.distance, state.smoothing[i]);
-                    let weight = state.mass[neighbour.other as usize] * slope;
+                let at = neighbours.active[block.start + k] as usize;
+                let i = neighbours.number(block, k);
+                let term = |neighbour: &Neighbour| {
+                    let (image, other) = (self.image(neighbour), neighbour.other as usize);
+                    let position = &neighbours.cells.position;
+                    let displacement = image.displacement(&position[at], &position[other]);
+                    let distance = dot(&displacement, &displacement).sqrt();
                     // ∇_i W points against the neighbour by W', and the volume falls as ρ grows.
-                    let towards = self.towards(pair, neighbour.is_first);
-                    gradient = plus_scaled(&gradient, weight, &towards);
-                }
+                    let slope = kernel.slope(distance, state.smoothing[i]);
+                    let mass = state.mass[neighbours.cells.order[other] as usize];
+                    let weight = if distance > 0.0 { mass * slope / distance } else { 0.0 };
+                    displacement.map(|component| weight * component)
+                };
+                let sum = |sum: Vector<D>, neighbour| plus_scaled(&sum, 1.0, &term(neighbour));
+                let before = block.before(k).iter().rev().fold([0.0; D], sum);
+                let after = block.after(k).iter().fold([0.0; D], sum);
                 let square = self.density[i] * self.density[i];
-                self.volume_gradient[i] = gradient.map(|component| component / square);
+                self.volume_gradient[i] =
+                    std::array::from_fn(|axis| (before[axis] + after[axis]) / square);
             }
         }
     }
 
-    /// The unit vector from one end of a pair to the other, as the particle at that end sees it.
-    fn towards(&self, pair: &Pair<D>, from_first: bool) -> Vector<D> {
-        let sign = if pair.first_is_left == from_first { 1.0 } else { -1.0 };
-        let line = pair.direction.map(|component| sign * component);
-        if from_first { line } else { self.neighbours.images()[pair.image as usize].reflect(&line) }
+    /// The image of a neighbour that is seen.
+    #[inline]
+    pub(super) fn image(&self, neighbour: &Neighbour) -> &Image<D> {
+        let cells = &self.neighbours.cells;
+        match neighbour.link() {
+            Link::Image(image) => &cells.images[image],
+            Link::Known(_) | Link::Own => &cells.images[cells.identity],
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The particle code against slower or independent computations.
 
+mod blocks;
 mod linear;
 mod neighbours;
 mod pairs;

@@ -9,7 +9,7 @@ use courant_analysis::kernel::Kernel;
 use proptest::prelude::*;
 
 /// A disordered gas with large differences of state.
-fn disordered<const D: usize>(
+pub(super) fn disordered<const D: usize>(
     gas: IdealGas,
     boundary: Boundary,
     count: usize,
@@ -33,7 +33,7 @@ fn disordered<const D: usize>(
     ParticleSystem::new(gas, particles, domain, kernel, Smoothing::adaptive(1.2), force)
 }
 
-fn air() -> IdealGas {
+pub(super) fn air() -> IdealGas {
     IdealGas::new(1.4).expect("gamma > 1")
 }
 
