@@ -29,6 +29,11 @@ pub struct PrimeField {
 }
 
 impl PrimeField {
+    /// Modulo the largest prime that is used, of Mersenne.
+    pub fn largest() -> Self {
+        Self::new(LARGEST)
+    }
+
     /// One field for each prime below `2^61`, the largest first.
     pub fn descending() -> impl Iterator<Item = Self> {
         (0..).map(|step| Self::new(LARGEST - 2 * step)).filter(Self::is_prime)

@@ -3,7 +3,9 @@
 
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
+use num_traits::float::FloatCore;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
 use thiserror::Error;
 
 /// An exact fraction of big integers in lowest terms.
@@ -80,7 +82,7 @@ fn parse_decimal(text: &str) -> Result<Rational, ParseRationalError> {
     let signed = if sign == Sign::Minus { -magnitude } else { magnitude };
     let shift = exponent - fraction.len() as i64;
     let power = BigInt::from(10).pow(shift.unsigned_abs() as u32);
-    Ok(if shift < 0 { Rational::new(signed, power) } else { Rational::from(signed * power) })
+    Ok(if shift < 0 { reduced(signed, power) } else { Rational::from(signed * power) })
 }
 
 /// The fraction `numerator / denominator`.
@@ -106,7 +108,46 @@ pub fn integer(value: i64) -> Rational {
 /// assert_eq!(numerator_over(&values[1], &common), (-9).into());
 /// ```
 pub fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Rational>) -> BigInt {
-    values.into_iter().fold(BigInt::one(), |common, value| common.lcm(value.denom()))
+    values.into_iter().fold(BigInt::one(), |common, value| least_multiple(&common, value.denom()))
+}
+
+/// The greatest common divisor: Euclid's algorithm until machine integers hold both, which go on by shifts.
+pub(crate) fn greatest_divisor(left: &BigInt, right: &BigInt) -> BigInt {
+    let (mut large, mut small) = (left.abs(), right.abs());
+    if large < small {
+        std::mem::swap(&mut large, &mut small);
+    }
+    loop {
+        if let (Some(a), Some(b)) = (large.to_u64(), small.to_u64()) {
+            return a.gcd(&b).into();
+        }
+        if let (Some(a), Some(b)) = (large.to_u128(), small.to_u128()) {
+            return a.gcd(&b).into();
+        }
+        if small.is_zero() {
+            return large;
+        }
+        let rest = large % &small;
+        large = std::mem::replace(&mut small, rest);
+    }
+}
+
+/// The least common multiple of two positive numbers.
+pub(crate) fn least_multiple(left: &BigInt, right: &BigInt) -> BigInt {
+    if left.is_one() || left == right {
+        return right.clone();
+    }
+    left / greatest_divisor(left, right) * right
+}
+
+/// `numerator / denominator` in lowest terms.
+pub(crate) fn reduced(numerator: BigInt, denominator: BigInt) -> Rational {
+    let divisor = greatest_divisor(&numerator, &denominator);
+    let divisor = if denominator.is_negative() { -divisor } else { divisor };
+    if divisor.is_one() {
+        return Rational::new_raw(numerator, denominator);
+    }
+    Rational::new_raw(numerator / &divisor, denominator / &divisor)
 }
 
 /// The numerator of `value` over `denominator`, which is a multiple of its own: no gcd is taken.
@@ -156,7 +197,7 @@ fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
 pub fn to_f64_below(value: &Rational) -> f64 {
     let nearest = to_f64(value);
     match from_f64(nearest) {
-        Some(exact) if exact > *value => nearest.next_down(),
+        Some(exact) if compare(&exact, value).is_gt() => nearest.next_down(),
         None if nearest > 0.0 => f64::MAX,
         _ => nearest,
     }
@@ -170,7 +211,37 @@ pub fn to_f64_above(value: &Rational) -> f64 {
 
 /// The exact value of a finite `f64`; `None` for infinities and NaN.
 pub fn from_f64(value: f64) -> Option<Rational> {
-    Rational::from_float(value)
+    let (mantissa, exponent, sign) = value.is_finite().then(|| value.integer_decode())?;
+    Some(dyadic(BigInt::from(mantissa) * sign, exponent.into()))
+}
+
+/// `value · 2^exponent` in lowest terms, without a general gcd.
+pub(crate) fn dyadic(value: BigInt, exponent: i64) -> Rational {
+    let Some(twos) = value.trailing_zeros() else { return Rational::zero() };
+    if exponent >= 0 {
+        return Rational::from(value << exponent.unsigned_abs());
+    }
+    let twos = twos.min(exponent.unsigned_abs());
+    Rational::new_raw(value >> twos, BigInt::one() << (exponent.unsigned_abs() - twos))
+}
+
+/// The product, without a general gcd where both denominators are powers of two.
+pub(crate) fn product(left: &Rational, right: &Rational) -> Rational {
+    match (twos_below(left), twos_below(right)) {
+        (Some(one), Some(other)) => dyadic(left.numer() * right.numer(), -(one + other)),
+        _ => left * right,
+    }
+}
+
+/// The `k` of a denominator `2^k`.
+fn twos_below(value: &Rational) -> Option<i64> {
+    let twos = value.denom().trailing_zeros()?;
+    (twos + 1 == value.denom().bits()).then_some(twos as i64)
+}
+
+/// Which of two is the larger, by products: fractions compare themselves by continued fractions.
+pub(crate) fn compare(left: &Rational, right: &Rational) -> Ordering {
+    (left.numer() * right.denom()).cmp(&(right.numer() * left.denom()))
 }
 
 /// Fractions below `√lower` and above `√upper` for `0 ≤ lower ≤ upper`, each within about `2^−bits` of it.
@@ -313,6 +384,44 @@ mod tests {
             ("+2.5E1", ratio(25, 1)),
         ] {
             assert_eq!(parse(text), Ok(expected), "{text}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn divisors_and_multiples_are_those_of_the_library(
+            a in any::<i128>(), b in any::<i128>(), shared in any::<i64>(), short in any::<i32>(),
+        ) {
+            let (a, b, shared) = (BigInt::from(a), BigInt::from(b), BigInt::from(shared));
+            let short = BigInt::from(short);
+            for (left, right) in [
+                (&a * &shared * &shared, &b * &shared),
+                (&a * &b, &shared * &short),
+                (short.clone(), &short * &shared),
+                (BigInt::zero(), a.clone()),
+                (b.clone(), BigInt::one()),
+            ] {
+                prop_assert_eq!(greatest_divisor(&left, &right), left.gcd(&right));
+                prop_assert_eq!(greatest_divisor(&right, &left), left.gcd(&right));
+                if !right.is_zero() {
+                    let fraction = Rational::new(left.clone(), right.clone());
+                    prop_assert_eq!(reduced(left.clone(), right.clone()), fraction);
+                }
+                let (left, right) = (left.abs() + 1, right.abs() + 1);
+                prop_assert_eq!(least_multiple(&left, &right), left.lcm(&right));
+            }
+        }
+
+        #[test]
+        fn powers_of_two_are_divided_out_by_shifts(
+            a in any::<i64>(), b in any::<i64>(), twos in 0i64..90, more in 0i64..90, odd in 1i64..9,
+        ) {
+            let (left, right) = (dyadic(a.into(), -twos), dyadic(b.into(), -more));
+            prop_assert_eq!(&left, &Rational::new(a.into(), BigInt::one() << twos));
+            for right in [right, ratio(b, odd)] {
+                prop_assert_eq!(product(&left, &right), &left * &right);
+                prop_assert_eq!(compare(&left, &right), left.cmp(&right));
+            }
         }
     }
 

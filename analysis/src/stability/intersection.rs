@@ -105,7 +105,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
             Some(from) if !first => from.min(end.clone()),
             _ => plan.known.clone().min(end.clone()),
         };
-        let found = search_within(&inequality.margin, &end, &known, plan.bits, plan.budget);
+        let found = search_within(&inequality.margin, &end, &known, plan);
         result.work += found.work;
         let inside = |value: f64| value < interval.to.upper();
         result.undecided.extend(found.undecided.iter().filter(|(from, _)| inside(*from)));
@@ -127,8 +127,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
                 Order::Other => other.to.bound_by(binding),
                 Order::Unclear(lower) => {
                     // Is this condition kept up to where the known one certainly is?
-                    let again =
-                        search_within(&inequality.margin, &lower, &known, plan.bits, plan.budget);
+                    let again = search_within(&inequality.margin, &lower, &known, plan);
                     result.work += again.work;
                     let kept = again.undecided.is_empty()
                         && again.intervals.last().is_some_and(|last| last.to.upper().is_infinite());

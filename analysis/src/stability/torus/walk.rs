@@ -161,6 +161,9 @@ impl<'a> Walk<'a> {
             if edge.upper > from.upper {
                 set.intervals.push(self.ended(from, &edge, wave));
             }
+            if self.plan.first_only {
+                break;
+            }
             match self.unstable_stretch(until) {
                 Ok(None) => break,
                 Ok(Some(edge)) => {
