@@ -1,9 +1,11 @@
 //! Speed and damping of waves for every kernel, at equal resolution.
 
 use super::super::ReportError;
-use super::{figure_item, lattice, phases, usual_ratio};
-use crate::figure::{Axis, Color, Dash, Figure, Line, Panel, Rule};
+use super::{lattice, phases, text, usual_ratio};
+use crate::cells;
+use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
 use crate::page::Item;
+use crate::paper_text::csv;
 use crate::wave_map::wave_number_axis;
 use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
@@ -18,8 +20,9 @@ fn equal_width_ratio(kernel: Kernel) -> Rational {
 }
 
 pub fn item() -> Result<Item, ReportError> {
-    let speed = "phase speed Re ω/(cκ)";
-    let damping = "damping per wavelength";
+    // Panels side by side are to be compared: one scale.
+    let speed = ("phase speed Re ω/(cκ)", 0.3, 1.3);
+    let damping = ("damping per wavelength", 0.0, 3.2);
     let panels = [
         ("(a) SPH: speed", "sph", Quantity::Speed, speed),
         ("(b) GPH, resolved: speed", "gph", Quantity::Speed, speed),
@@ -28,12 +31,13 @@ pub fn item() -> Result<Item, ReportError> {
     ];
     let phases = phases(240);
     let mut figure = Figure::grid(2, 2).size(7.4, 6.2).legend_below();
-    let mut text = String::from("method,quantity,kernel,ratio,kappa,value\n");
-    for (title, method, quantity, label) in panels {
+    let mut lines = Vec::new();
+    for (title, method, quantity, (label, low, high)) in panels {
         let mut panel =
-            Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label)).title(title);
+            Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label).range(low, high))
+                .title(title);
         if quantity == Quantity::Speed {
-            panel = panel.layer(Rule::horizontal(1.0).color(Color::GREY).width(0.7));
+            panel = panel.layer(Line::horizontal(1.0).width(0.7));
         }
         for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
             let at = equal_width_ratio(kernel);
@@ -41,9 +45,8 @@ pub fn item() -> Result<Item, ReportError> {
             let points: Vec<(f64, f64)> =
                 phases.iter().map(|&phase| (phase, quantity.of(&waves.mode(phase)))).collect();
             for (phase, value) in &points {
-                let (name, ratio) = (kernel.name(), to_text(&at));
                 let what = if quantity == Quantity::Speed { "speed" } else { "damping" };
-                text.push_str(&format!("{method},{what},{name},{ratio},{phase},{value}\n"));
+                lines.push(cells![method, what, kernel.name(), to_text(&at), phase, value]);
             }
             let line = Line::new(points)
                 .color(Color::qualitative(index))
@@ -54,14 +57,6 @@ pub fn item() -> Result<Item, ReportError> {
         }
         figure = figure.panel(panel);
     }
-    let caption = "Speed and damping per wavelength, −2π Im ω/(cκ), of the forward wave for every kernel. The smoothing \
-                   ratios give all kernels the standard deviation of the cubic B-spline at h/Δ = 1.2, so that they resolve \
-                   equally: what differs is the shape. ρ0 = M Σ W, isothermal, 0 < κΔ ≤ π, exact in time."
-        .into();
-    Ok(figure_item(
-        "kernel_waves",
-        figure,
-        caption,
-        vec![("kernel_waves.csv".into(), text.into_bytes())],
-    ))
+    let data = csv("method,quantity,kernel,ratio,kappa,value", lines);
+    Ok(text().figure("kernel_waves", &[], figure, vec![("kernel_waves.csv".into(), data)]))
 }

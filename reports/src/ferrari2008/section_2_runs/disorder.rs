@@ -1,17 +1,15 @@
 //! How far the lattice theory carries when the particles are not on a lattice.
 
-use super::super::{COMMAND, Detail, ReportError};
-use super::discretisation;
-use crate::figure::{
-    Axis, Color, Corner, Dash, ErrorBars, Figure, Line, Marker, Markers, Panel, Rule,
-};
+use super::{Detail, discretisation, text};
+use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
+use crate::paper_text::csv;
+use crate::{cells, words};
 use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{AdvectionScheme, DisorderStudy, gain_against_disorder};
 use rayon::prelude::*;
-use std::fmt::Write;
 
 const PARTICLES: usize = 64;
 const MODES: [usize; 4] = [2, 8, 16, 32];
@@ -56,35 +54,19 @@ fn studies(sets: u64) -> Vec<Study> {
         .collect()
 }
 
-pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
-    let sets = match detail {
-        Detail::Full => 16,
-        Detail::Quick => 4,
-    };
+pub(super) fn section(detail: Detail) -> Section {
+    let sets = if detail == Detail::Quick { 4 } else { 16 };
     let studies = studies(sets);
-    Ok(Section {
-        title: "Disordered positions: how far the lattice theory carries".into(),
-        items: vec![
-            Item::Paragraph(explanation(&studies)),
-            Item::Figure {
-                name: "figure_disorder".into(),
-                figure: Box::new(figure(&studies)),
-                caption: format!(
-                    "Gain of a wave in one step at C = {COURANT_NUMBER} on positions displaced by up to so many \
-                     spacings, less its value on the lattice (a, b): the mean over {sets} sets of positions with its \
-                     spread. Factor per step of a long run less 1 (c, d), the largest modulus of the eigenvalues of a \
-                     step, at that Courant number and 2 % below and above the lattice's limit: mean, and smallest to \
-                     largest of the sets; above 0 something grows, in brackets by how much on the lattice. Cubic spline, l/Δξ = 2, {PARTICLES} particles; \
-                     plain sums, volumes by Voronoi cells, no correction."
-                ),
-                data: vec![("figure_disorder.csv".into(), data(&studies))],
-                command: COMMAND.into(),
-            },
-        ],
-    })
+    let settings = words!["courant" = COURANT_NUMBER, "sets" = sets, "particles" = PARTICLES];
+    let data = vec![("figure_disorder.csv".into(), data(&studies))];
+    let items = vec![
+        explanation(&studies),
+        text().figure("figure_disorder", settings, figure(&studies), data),
+    ];
+    text().section("title_disorder", items)
 }
 
-fn explanation(studies: &[Study]) -> String {
+fn explanation(studies: &[Study]) -> Item {
     let deviation = |study: &Study, disorder: f64| {
         let rows = study.found.modes.iter().filter(|row| row.disorder == disorder);
         rows.map(|row| (row.mean.norm() - row.lattice.norm()).abs()).fold(0.0, f64::max)
@@ -93,156 +75,114 @@ fn explanation(studies: &[Study]) -> String {
         let row = study.found.growth.iter().find(|growth| growth.disorder == disorder);
         format!("{:.6}", row.expect("it is one of the disorders").mean_gain)
     };
-    let sentences: Vec<String> = studies
-        .chunks(1 + SHARES_OF_LIMIT.len())
-        .map(|of_scheme| {
-            let ends: Vec<String> = of_scheme
-                .iter()
-                .map(|study| {
-                    format!(
-                        "{} at C = {} ({} on the lattice)",
-                        at_end(study, 0.1),
-                        significant(study.courant_number, 4),
-                        at_end(study, 0.0)
-                    )
-                })
-                .collect();
-            format!(
-                "{}: displacements of a tenth of a spacing change the gain of a single step by at most {}, those \
-                 of four tenths by {}; in the long run a tenth leaves a factor per step of {}.",
-                of_scheme[0].scheme.title(),
-                significant(deviation(&of_scheme[0], 0.1), 2),
-                significant(deviation(&of_scheme[0], 0.4), 2),
-                ends.join(", "),
-            )
-        })
-        .collect();
-    format!(
-        "The amplification factor belongs to a uniform lattice; on uneven positions a step also mixes the waves. \
-         {} Godunov SPH moves its fluxes between pairs, so its mean stays on any positions and the factor never \
-         falls below 1; the plain sums of Lax–Wendroff SPH do not keep a constant, and what was to stay decays.",
-        sentences.join(" ")
-    )
+    let sentences = studies.chunks(1 + SHARES_OF_LIMIT.len()).map(|of_scheme| {
+        let ends = of_scheme.iter().map(|study| {
+            let courant = significant(study.courant_number, 4);
+            let (tenth, lattice) = (at_end(study, 0.1), at_end(study, 0.0));
+            format!("{tenth} at C = {courant} ({lattice} on the lattice)")
+        });
+        text().text(
+            "disorder_scheme",
+            words![
+                "scheme" = of_scheme[0].scheme.title(),
+                "tenth" = significant(deviation(&of_scheme[0], 0.1), 2),
+                "four-tenths" = significant(deviation(&of_scheme[0], 0.4), 2),
+                "ends" = ends.collect::<Vec<_>>().join(", "),
+            ],
+        )
+    });
+    let sentences = sentences.collect::<Vec<_>>().join(" ");
+    text().paragraph("disorder_text", words!["schemes" = sentences])
 }
 
+/// Displacement, mean, and the ends of its bar.
+type Point = (f64, f64, [f64; 2]);
+type Curve = Vec<Point>;
+
 fn figure(studies: &[Study]) -> Figure {
-    let mut figure = Figure::grid(2, 2).size(7.2, 5.8);
-    for (k, of_scheme) in studies.chunks(1 + SHARES_OF_LIMIT.len()).enumerate() {
-        figure = figure.panel(step_panel(char::from(b'a' + k as u8), &of_scheme[0]));
-    }
-    for (k, of_scheme) in studies.chunks(1 + SHARES_OF_LIMIT.len()).enumerate() {
-        figure = figure.panel(long_run_panel(char::from(b'c' + k as u8), of_scheme));
+    let by_scheme: Vec<&[Study]> = studies.chunks(1 + SHARES_OF_LIMIT.len()).collect();
+    let steps: Vec<Vec<Curve>> = by_scheme.iter().map(|of| single_steps(&of[0])).collect();
+    let runs: Vec<Vec<Curve>> =
+        by_scheme.iter().map(|of| of.iter().map(long_run).collect()).collect();
+    let phases = MODES.map(|mode| match PARTICLES / 2 / mode {
+        1 => "a, b: φ = π".to_string(),
+        part => format!("a, b: φ = π/{part}"),
+    });
+    let courant_numbers =
+        ["C = 1", "2 % below the limit", "2 % above it"].map(|c| format!("c, d: {c}"));
+    let mut figure = Figure::grid(2, 2).size(7.2, 6.2).legend_below();
+    for (row, (curves, names)) in
+        [(steps, phases.to_vec()), (runs, courant_numbers.to_vec())].iter().enumerate()
+    {
+        // The panels of a row are to be compared: one scale, from the bars of both.
+        let ends = || curves.iter().flatten().flatten().flat_map(|point| point.2);
+        let (low, high) = (ends().fold(0.0, f64::min), ends().fold(0.0, f64::max));
+        let room = 0.05 * (high - low);
+        for (column, curves) in curves.iter().enumerate() {
+            let scheme = by_scheme[column][0].scheme.title();
+            let letter = char::from(b'a' + (2 * row + column) as u8);
+            let (title, label) = match row {
+                0 => (format!("({letter}) {scheme}, single step"), "|g| less the lattice's"),
+                _ => (format!("({letter}) {scheme}, long run"), "factor per step less 1"),
+            };
+            let x = Axis::linear("largest displacement / Δξ").range(-0.02, 0.42);
+            let y = Axis::linear(label).range(low - room, high + room);
+            let mut panel = Panel::new(x, y).title(title).layer(Line::horizontal(0.0));
+            for (k, (curve, name)) in curves.iter().zip(names).enumerate() {
+                // No look twice in a figure with one legend.
+                panel = with_spread(panel, k, k + row * MODES.len(), curve, name);
+            }
+            figure = figure.panel(panel);
+        }
     }
     figure
 }
 
-fn disorder_axis() -> Axis {
-    Axis::linear("largest displacement / Δξ").range(-0.01, 0.41)
-}
-
-/// A point of a curve: displacement, mean, and the ends of its bar.
-type Point = (f64, f64, [f64; 2]);
-
-/// The `k`-th curve of a panel: means, and bars around them. Rings of falling size, so that curves that lie on one
-/// another can be told apart.
-fn with_spread(panel: Panel, k: usize, points: &[Point], label: String) -> Panel {
-    let color = Color::qualitative(k);
-    let means = || points.iter().map(|&(at, mean, _)| (at, mean));
-    let markers = Markers::new(means(), Marker::nth(k)).color(color).open();
+/// A curve of a panel: means, and bars around them. Rings of falling size, so that curves that lie on one another can be
+/// told apart.
+fn with_spread(panel: Panel, k: usize, look: usize, curve: &Curve, name: &str) -> Panel {
+    let color = Color::qualitative(look);
+    let means = || curve.iter().map(|&(at, mean, _)| (at, mean));
+    let bar = |&(at, _, [low, high]): &Point| [(at, low), (at, high), (f64::NAN, f64::NAN)];
+    let markers = Markers::new(means(), Marker::nth(look)).color(color).open();
     panel
         .layer(Line::new(means()).color(color))
-        .layer(
-            ErrorBars::new(points.iter().map(|&(at, _, [low, high])| (at, low, high))).color(color),
-        )
-        .layer(markers.size(7.5 - 1.5 * k as f64).label(label))
+        .layer(Line::new(curve.iter().flat_map(bar)).color(color).width(0.8))
+        .layer(markers.size(7.5 - 1.5 * k as f64).label(name))
 }
 
-/// A panel around a line at zero, its legend in the corner that the curves leave free.
-fn panel_about_zero(title: String, label: &str, curves: Vec<(Vec<Point>, String)>) -> Panel {
-    let all = || curves.iter().flat_map(|(points, _)| points);
-    let lowest = all().map(|point| point.1).fold(0.0, f64::min);
-    let highest = all().map(|point| point.1).fold(0.0, f64::max);
-    let starts = curves.iter().filter_map(|(points, _)| points.first());
-    let start = starts.map(|point| point.1).fold(0.0, f64::max);
-    let corner = if -lowest > highest {
-        Corner::BottomLeft
-    } else if start < 0.5 * highest {
-        Corner::TopLeft
-    } else {
-        Corner::TopRight
-    };
-    let zero = Rule::horizontal(0.0).color(Color::GREY).dash(Dash::Dotted);
-    let mut panel =
-        Panel::new(disorder_axis(), Axis::linear(label)).title(title).layer(zero).legend(corner);
-    for (k, (points, label)) in curves.into_iter().enumerate() {
-        panel = with_spread(panel, k, &points, label);
-    }
-    panel
-}
-
-fn step_panel(letter: char, study: &Study) -> Panel {
-    let curves = MODES.into_iter().map(|mode| {
+/// The change of the gain of a single step, mode by mode.
+fn single_steps(study: &Study) -> Vec<Curve> {
+    let curve = |mode| {
         let rows = study.found.modes.iter().filter(|row| row.mode == mode);
         let points = rows.map(|row| {
             let change = row.mean.norm() - row.lattice.norm();
             (row.disorder, change, [change - row.spread, change + row.spread])
         });
-        let label = match PARTICLES / 2 / mode {
-            1 => "φ = π".into(),
-            part => format!("φ = π/{part}"),
-        };
-        (points.collect(), label)
-    });
-    let title = format!("({letter}) {}", study.scheme.title());
-    panel_about_zero(title, "|g| of one step less the lattice's", curves.collect())
+        points.collect()
+    };
+    MODES.into_iter().map(curve).collect()
 }
 
-fn long_run_panel(letter: char, studies: &[Study]) -> Panel {
-    let curves = studies.iter().map(|study| {
-        let points: Vec<Point> = study
-            .found
-            .growth
-            .iter()
-            .map(|row| {
-                let ends = [row.smallest_gain - 1.0, row.largest_gain - 1.0];
-                (row.disorder, row.mean_gain - 1.0, ends)
-            })
-            .collect();
-        let mut label = format!("C = {}", significant(study.courant_number, 4));
-        // Weak growth is no more than a point on the axis: the number says it.
-        if points[0].1 > 1e-9 {
-            label.push_str(&format!(" (+{})", significant(points[0].1, 2)));
-        }
-        (points, label)
-    });
-    let title = format!("({letter}) {}, long run", studies[0].scheme.title());
-    panel_about_zero(title, "factor per step of a long run less 1", curves.collect())
+fn long_run(study: &Study) -> Curve {
+    let rows = study.found.growth.iter();
+    let ends = |one: f64, other: f64| [one - 1.0, other - 1.0];
+    rows.map(|row| (row.disorder, row.mean_gain - 1.0, ends(row.smallest_gain, row.largest_gain)))
+        .collect()
 }
 
 fn data(studies: &[Study]) -> Vec<u8> {
-    let mut text = String::from(
-        "scheme,cfl,disorder,mode,phase,lattice_gain,mean_gain,spread,scattered,long_run_mean,long_run_smallest,long_run_largest\n",
-    );
-    for Study { scheme, courant_number, found } in studies {
-        for row in &found.modes {
+    let rows = studies.iter().flat_map(|Study { scheme, courant_number, found }| {
+        found.modes.iter().map(move |row| {
             let growth = found.growth.iter().find(|growth| growth.disorder == row.disorder);
             let growth = growth.expect("every disorder has its long run");
-            writeln!(
-                text,
-                "{scheme},{courant_number},{},{},{},{},{},{},{},{},{},{}",
-                row.disorder,
-                row.mode,
-                row.phase,
-                row.lattice.norm(),
-                row.mean.norm(),
-                row.spread,
-                row.scattered,
-                growth.mean_gain,
-                growth.smallest_gain,
-                growth.largest_gain
-            )
-            .expect("writing to a string succeeds");
-        }
-    }
-    text.into_bytes()
+            let mut cells = cells![scheme, courant_number, row.disorder, row.mode, row.phase];
+            cells.extend(cells![row.lattice.norm(), row.mean.norm(), row.spread, row.scattered]);
+            cells.extend(cells![growth.mean_gain, growth.smallest_gain, growth.largest_gain]);
+            cells
+        })
+    });
+    let header = "scheme,cfl,disorder,mode,phase,lattice_gain,mean_gain,spread,scattered,long_run_mean,\
+                  long_run_smallest,long_run_largest";
+    csv(header, rows)
 }
