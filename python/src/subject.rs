@@ -22,7 +22,7 @@ fn typed(text: &str) -> PyResult<SchemeFile> {
     Ok(SchemeFile {
         title: name.clone(),
         name,
-        equations,
+        equations: equations.into(),
         parameter: None,
         exact: None,
         source: String::new(),
