@@ -443,7 +443,37 @@ mod tests {
         assert_eq!(to_f64(&huge), 10.0);
         assert_eq!(to_f64(&parse("1e-300").unwrap()), 1e-300);
         assert_eq!(to_f64(&parse("1e308").unwrap()), 1e308);
-        assert_eq!(to_f64_below(&parse("1e309").unwrap()), f64::MAX);
+        let beyond = parse("1e309").unwrap();
+        assert_eq!((to_f64_below(&beyond), to_f64_above(&beyond)), (f64::MAX, f64::INFINITY));
+        let below = -beyond;
+        assert_eq!((to_f64_below(&below), to_f64_above(&below)), (f64::NEG_INFINITY, f64::MIN));
+        assert_eq!(to_f64_above(&parse("-1e-400").unwrap()).to_bits(), 0);
+    }
+
+    #[test]
+    fn numbers_are_read_up_to_their_longest() {
+        assert!(
+            parse(&"9".repeat(120)).is_ok() && parse("1e400").is_ok() && parse("1e-400").is_ok()
+        );
+        for text in ["1e401", "1e-401"] {
+            assert!(matches!(parse(text), Err(ParseRationalError::OutOfRange(_))), "{text}");
+        }
+        // On both sides of where powers of ten begin.
+        for (text, digits, printed) in [
+            ("0.0001", 2, "0.00010"),
+            ("0.00009", 2, "9.0e-5"),
+            ("0.00009", 1, "9e-5"),
+            ("12345", 2, "12000"),
+            ("123456", 2, "1.2e5"),
+            ("1234", 2, "1200"),
+            ("12", 2, "12"),
+            ("12.34", 3, "12.3"),
+            ("1e5", 3, "100000"),
+            ("1e6", 3, "1.00e6"),
+        ] {
+            let found = decimal_below(&parse(text).unwrap(), digits);
+            assert!(found == printed, "{text}: {found}");
+        }
     }
 
     proptest! {
@@ -486,6 +516,22 @@ mod tests {
             let simplest = simplest_between(&lower, &upper);
             prop_assert!(lower <= simplest && simplest <= upper);
             prop_assert!(simplest.denom() <= lower.denom() && simplest.denom() <= upper.denom());
+            for denominator in (1..60).take_while(|n| BigInt::from(*n) < *simplest.denom()) {
+                let n = integer(denominator);
+                prop_assert!((&upper * &n).floor() < (&lower * &n).ceil());
+            }
+            let magnitude = simplest.abs();
+            prop_assert!(magnitude < integer(1) || &magnitude - integer(1) < lower.abs().min(upper.abs()) || simplest.is_zero());
+        }
+
+        #[test]
+        fn square_roots_lie_between(a in 0i64..1000, b in 1i64..1000, more in 0i64..3, bits in 1u32..80) {
+            let (low, high) = (ratio(a, b), ratio(a, b) + integer(more));
+            let (lower, upper) = square_root_enclosure(&low, &high, bits);
+            prop_assert!(&lower * &lower <= low && high <= &upper * &upper && !lower.is_negative());
+            let unit = ratio(1, 2).pow(bits as i32);
+            let (next, before) = (&lower + &unit, &upper - &unit);
+            prop_assert!(low < &next * &next && (before.is_negative() || &before * &before <= high));
         }
     }
 }

@@ -14,28 +14,14 @@ use num_traits::{Signed, Zero};
 
 /// Stable nowhere: some multiplier is outside whatever the wave and the value.
 pub(super) fn nowhere(dimension: usize) -> StableSet {
-    StableSet {
-        intervals: Vec::new(),
-        undecided: Vec::new(),
-        // Any wave will do.
-        immediately_unstable: Some(Wave::new(vec![std::f64::consts::FRAC_PI_2; dimension])),
-        immediate_binding: None,
-        immediate_offset: None,
-        neutral: false,
-        evidence: Evidence::Proved,
-        work: Work::default(),
-        at_zero: false,
-    }
+    // Any wave will do.
+    let wave = Wave::new(vec![std::f64::consts::FRAC_PI_2; dimension]);
+    StableSet { immediately_unstable: Some(wave), ..StableSet::empty(Evidence::Proved) }
 }
 
 /// Nothing is decided.
 pub(super) fn unknown(plan: &SearchPlan) -> StableSet {
-    StableSet {
-        undecided: vec![(0.0, to_f64(&plan.max))],
-        immediately_unstable: None,
-        evidence: Evidence::Undecided,
-        ..nowhere(1)
-    }
+    StableSet { undecided: vec![(0.0, to_f64(&plan.max))], ..StableSet::empty(Evidence::Undecided) }
 }
 
 /// Everything from 0 on.
@@ -45,14 +31,7 @@ fn everything(plan: &SearchPlan, evidence: Evidence) -> StableSet {
             from: Limit::exactly(ExactValue::Fraction(Rational::zero()), evidence),
             to: Limit::unbounded(&plan.max, evidence),
         }],
-        undecided: Vec::new(),
-        immediately_unstable: None,
-        immediate_binding: None,
-        immediate_offset: None,
-        neutral: true,
-        evidence,
-        work: Work::default(),
-        at_zero: true,
+        ..StableSet::empty(evidence)
     }
 }
 
@@ -75,10 +54,7 @@ pub(super) fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> St
     }
     // Where several fail at once, multipliers at +1 and −1 say more than a circle that is left.
     ordered.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.condition.cmp(&b.1.condition)));
-    if ordered.is_empty() {
-        return set;
-    }
-    set.neutral = false;
+    set.neutral = ordered.is_empty();
     for (_, inequality) in &ordered {
         set = restricted(set, inequality, plan);
     }

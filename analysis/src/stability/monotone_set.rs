@@ -3,7 +3,6 @@
 
 use super::{Evidence, ExactValue, Limit, SearchPlan, StableInterval, StableSet};
 use crate::exact::algebraic_number::AlgebraicNumber;
-use crate::exact::bernstein::Work;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
     Rational, common_denominator, compare, integer, numerator_over, reduced, to_f64_above,
@@ -89,18 +88,12 @@ impl Step {
             _ => non_negative(&most, plan),
         };
         let mut set = StableSet {
-            intervals: Vec::new(),
-            undecided: Vec::new(),
-            immediately_unstable: None,
-            immediate_binding: None,
             immediate_offset: most
                 .first()
                 .filter(|c| c.starts_negative())
                 .map(|c| c.offset.clone()),
-            neutral: false,
-            evidence,
-            work: Work::default(),
             at_zero: least.iter().all(|c| !c.polynomial.coefficient(0).is_negative()),
+            ..StableSet::empty(evidence)
         };
         for whole in &possible {
             let inside: Vec<_> = certain.iter().filter(|part| whole.holds(part, plan)).collect();

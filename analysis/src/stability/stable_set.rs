@@ -58,6 +58,21 @@ pub struct StableSet {
 }
 
 impl StableSet {
+    /// Without any value.
+    pub(crate) fn empty(evidence: Evidence) -> Self {
+        Self {
+            intervals: Vec::new(),
+            undecided: Vec::new(),
+            immediately_unstable: None,
+            immediate_binding: None,
+            immediate_offset: None,
+            neutral: false,
+            evidence,
+            work: Work::default(),
+            at_zero: false,
+        }
+    }
+
     /// The end of the stable interval that begins at 0; exactly 0 when there is none, and `[0, ∞]` when
     /// nothing could be decided from 0 on.
     pub fn limit(&self) -> Limit {

@@ -194,12 +194,8 @@ impl<'a> Search<'a> {
             intervals,
             undecided,
             immediately_unstable,
-            immediate_binding: None,
-            immediate_offset: None,
-            neutral: false,
-            evidence,
             work: self.work,
-            at_zero: true,
+            ..StableSet::empty(evidence)
         }
     }
 
