@@ -154,7 +154,7 @@ impl Claims {
                 };
                 let mut found = BTreeMap::new();
                 for (name, text) in &claim.measures {
-                    let what = self.numbers(text, &one).map_err(|what| failed((text, what)))?;
+                    let what = self.numbers(text, one).map_err(|what| failed((text, what)))?;
                     found.insert(name.as_str(), what);
                 }
                 let mut conditions = Vec::new();
