@@ -5,6 +5,7 @@ pub mod adaptive_sph;
 pub mod advection;
 pub mod boundary;
 pub mod comparison;
+pub mod field;
 pub mod finite_volume;
 pub mod lagrangian;
 pub mod lattice;

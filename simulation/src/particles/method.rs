@@ -151,7 +151,7 @@ impl MethodOptions {
         }
     }
 
-    pub(super) fn smoothing(&self, constant: bool) -> Smoothing {
+    pub(crate) fn smoothing(&self, constant: bool) -> Smoothing {
         if constant { Smoothing::Constant } else { Smoothing::adaptive(self.eta) }
     }
 

@@ -7,6 +7,7 @@
 mod block_steps;
 mod cells;
 mod density;
+mod dispatch;
 mod domain;
 mod evolution;
 mod gas;
@@ -30,6 +31,7 @@ mod viscous;
 
 pub use block_steps::BlockStepper;
 pub use density::Smoothing;
+pub(crate) use dispatch::{Task, dispatch};
 pub use domain::{Domain, Image};
 pub use evolution::{ParticleEvolution, Stepping};
 pub use gas::{Gas, IsothermalGas};
