@@ -1,7 +1,8 @@
 //! A run of gas dynamics as files: profile, picture, record.
 
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Figure, Line, Panel};
 use crate::number::{finite, significant};
+use crate::particle_profile;
 use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant_simulation::boundary::Boundary;
 use courant_simulation::comparison::Comparison;
@@ -209,7 +210,6 @@ pub fn figure(scene: &dyn Scene, run: &Run, title: &str) -> Figure {
         ("(c) pressure", "p", &profile.pressure),
         ("(d) specific internal energy", "e", &profile.energy),
     ];
-    let size = if profile.len() > 250 { 2.2 } else { 3.0 };
     let symbols = if run.particle_mass.is_some() { "particles" } else { "cells" };
     let title = match run.failure {
         Some(_) => format!("{title}: failed"),
@@ -227,14 +227,7 @@ pub fn figure(scene: &dyn Scene, run: &Run, title: &str) -> Figure {
         let panel = Panel::new(Axis::linear("x").range(from, to), Axis::linear(label))
             .title(title)
             .layer(Line::new(line).width(0.9).label("exact"))
-            .layer(
-                Markers::new(points, Marker::Circle)
-                    .color(Color::BLUE)
-                    .open()
-                    .size(size)
-                    .width(0.6)
-                    .label(symbols),
-            );
+            .layer(particle_profile::symbols(points, symbols));
         figure = figure.panel(panel);
     }
     figure

@@ -42,9 +42,56 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// The shortest decimal up to six significant digits, with a proper minus sign, and powers of ten for very large and
+/// very small numbers.
+pub(crate) fn format_number(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) || !rounded.is_finite() {
+        return minus(&rounded.to_string());
+    }
+    let text = format!("{rounded:e}");
+    let (mantissa, power) = text.split_once('e').expect("the format writes an exponent");
+    match mantissa {
+        "1" => power_of_ten(power),
+        "-1" => format!("−{}", power_of_ten(power)),
+        _ => minus(&format!("{mantissa}×{}", power_of_ten(power))),
+    }
+}
+
+/// Numbers with the same decimals, as few as tell their values; as powers of ten where they are very large or small.
+pub(crate) fn format_numbers(values: &[f64]) -> Vec<String> {
+    let largest = values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+    let told = |d: &usize| {
+        let lost = |v: &f64| (format!("{v:.d$}").parse::<f64>().unwrap_or(*v) - v).abs();
+        values.iter().all(|v| lost(v) <= 1e-7 * largest)
+    };
+    match (0..6).find(told) {
+        Some(d) if (1e-3..1e5).contains(&largest) => {
+            values.iter().map(|v| minus(&format!("{v:.d$}"))).collect()
+        }
+        _ => values.iter().map(|&v| format_number(v)).collect(),
+    }
+}
+
+/// Ten to a power written in digits.
+pub(crate) fn power_of_ten(power: &str) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |d| digits[d as usize]);
+    "10".chars().chain(power.chars().map(raised)).collect()
+}
+
+/// With a minus sign for a hyphen; zero has none.
+fn minus(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.into(),
+        Some(rest) => format!("−{rest}"),
+        None => text.into(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{exact_text, finite, significant};
+    use super::*;
 
     #[test]
     fn numbers_for_scripts() {
@@ -60,5 +107,13 @@ mod tests {
         assert_eq!(significant(1234567.0, 3), "1.23e6");
         assert_eq!(significant(-2.5, 2), "-2.5");
         assert_eq!(significant(0.0, 4), "0");
+    }
+
+    #[test]
+    fn numbers_for_people() {
+        let numbers = [0.0, 0.30000000000000004, -1.25, 1e-9, 2.5e7].map(format_number);
+        assert_eq!(numbers, ["0", "0.3", "−1.25", "10⁻⁹", "2.5×10⁷"]);
+        assert_eq!(format_numbers(&[-0.5, 0.1 + 0.2, 1.0]), ["−0.5", "0.3", "1.0"]);
+        assert_eq!(format_numbers(&[0.0, 2e-5]), ["0", "2×10⁻⁵"]);
     }
 }

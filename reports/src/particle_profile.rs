@@ -2,7 +2,7 @@
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::finite;
-use courant_simulation::particles::{Flow, Material, ParticleRun, ParticleScene};
+use courant_simulation::particles::{Flow, Material, ParticleMethod, ParticleRun, ParticleScene};
 use courant_simulation::riemann::State;
 use courant_simulation::run::Profile;
 
@@ -95,8 +95,21 @@ pub fn internal_energy(scene: &ParticleScene, state: &State) -> Option<f64> {
     }
 }
 
-/// How particles look: form and colour.
-pub const PARTICLES: (Marker, Color) = (Marker::Circle, Color::BLUE);
+/// How particles and cells look in every profile: open blue rings, smaller where there are many.
+pub fn symbols(points: Vec<(f64, f64)>, label: &str) -> Markers {
+    let size = if points.len() > 150 { 2.3 } else { 3.0 };
+    let rings = Markers::new(points, Marker::Circle).color(Color::BLUE).open();
+    rings.size(size).width(0.6).label(label)
+}
+
+/// A method as captions name it: `gph3` is "GPH case 3".
+pub fn method_title(method: ParticleMethod) -> String {
+    let name = method.name();
+    match name.strip_prefix("gph") {
+        Some(case) => format!("GPH case {case}"),
+        None => name.to_uppercase().replace("SPH", "SPH "),
+    }
+}
 
 /// One panel: particles as open markers, the exact solution as a line.
 ///
@@ -121,14 +134,7 @@ pub fn profile_panel(
     if exact && scene.exact(from, run.time).is_some() {
         panel = panel.layer(exact_line(scene, quantity, run.time));
     }
-    panel.layer(
-        Markers::new(points, PARTICLES.0)
-            .color(PARTICLES.1)
-            .open()
-            .size(2.4)
-            .width(0.55)
-            .label("particles"),
-    )
+    panel.layer(symbols(points, "particles"))
 }
 
 /// The exact solution as a curve over the scene's window.

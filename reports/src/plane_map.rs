@@ -1,8 +1,8 @@
 //! Maps of the amplification of any scheme over the plane of two of its parameters.
 
-use crate::figure::{Axis, Color, Field, Figure, FigureError, FilledContours, Line, Panel, Side};
+use crate::figure::{Axis, Field, Figure, FigureError, Isolines, Panel};
 use crate::npy;
-use crate::stability_map::{bands, color_bar};
+use crate::stability_map::{damped_side, damping_bar, growing_side, growth_bar};
 use courant_analysis::exact::rational::{Rational, to_f64, to_text};
 use courant_analysis::scheme::Step;
 use courant_analysis::stability::{Limit, SearchPlan, StableSet};
@@ -11,9 +11,6 @@ use ndarray::Array2;
 use num_traits::Signed;
 use rayon::prelude::*;
 use std::fmt::Write;
-
-/// Growth that counts as round-off in the colours.
-const ROUND_OFF: f64 = 1e-9;
 
 /// A parameter and its values, ascending.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,44 +70,39 @@ pub fn plane_map(
 }
 
 impl PlaneMap {
-    /// `max |z|` where a wave grows, and what is left of the most damped wave where none does.
-    fn extreme(&self) -> Array2<f64> {
-        let mut values = self.largest.clone();
-        values.zip_mut_with(&self.lowest, |most, least| {
-            if *most <= 1.0 + ROUND_OFF {
-                *most = *least;
-            }
-        });
-        values
+    /// How far each place is from the nearest proved end of stability, in cells; above 0 where it is stable. Linear in
+    /// between, it is 0 on the ends themselves.
+    fn depth(&self) -> Array2<f64> {
+        let (xs, ys) = (floats(&self.x), floats(&self.y));
+        let cells =
+            |values: &[f64]| (values[values.len() - 1] - values[0]) / (values.len() - 1) as f64;
+        let along_y: Vec<Vec<f64>> = self.stable.iter().map(ends).collect();
+        Array2::from_shape_fn((xs.len(), ys.len()), |(i, j)| {
+            let up = along_y[i].iter().map(|end| (end - ys[j]).abs() / cells(&ys));
+            let across = self.ends_across[j].iter().map(|end| (end - xs[i]).abs() / cells(&xs));
+            let depth = up.chain(across).fold(1.0, f64::min);
+            if self.stable[i].contains(&self.y.values[j]) { depth } else { -depth }
+        })
     }
 
-    /// The figure: colours and the proved boundary.
+    /// The figure: each side of the proved boundary in colours of its own.
     ///
     /// # Errors
     /// When the axes have too few points to draw.
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
-        let floats = |axis: &PlaneAxis| axis.values.iter().map(to_f64).collect::<Vec<f64>>();
         let (xs, ys) = (floats(&self.x), floats(&self.y));
-        let field = Field::new(xs.clone(), ys.clone(), self.extreme())?;
-        let mut panel = Panel::new(
+        let (axes, depth) = ((xs.as_slice(), ys.as_slice()), self.depth());
+        let limit = Field::new(xs.clone(), ys.clone(), depth.clone())?;
+        let limit = Isolines::new(limit, [0.0]).values(false).width(1.8);
+        let panel = Panel::new(
             Axis::linear(self.x.name.as_str()).spanning(&xs),
             Axis::linear(self.y.name.as_str()).spanning(&ys),
         )
-        .title(title)
-        .layer(FilledContours::new(field, bands()?));
-        // Decided along either axis, so that steep parts are drawn as well as flat ones.
-        let along_y = boundaries(&xs, &self.stable.iter().map(ends).collect::<Vec<_>>());
-        let along_x = boundaries(&ys, &self.ends_across).into_iter();
-        let along_x = along_x.map(|line| line.into_iter().map(|(y, x)| (x, y)).collect());
-        for (index, points) in along_y.into_iter().chain(along_x).enumerate() {
-            let points: Vec<(f64, f64)> = points;
-            let mut line = Line::new(points).color(Color::BLACK).width(1.8);
-            if index == 0 {
-                line = line.label("stability limit");
-            }
-            panel = panel.layer(line);
-        }
-        Ok(Figure::single(panel).size(5.2, 4.3).legend_below().color_bar(color_bar()?, Side::Right))
+        .layers(growing_side(axes, &self.largest, depth.mapv(|depth| -depth))?)
+        .layers(damped_side(axes, &self.lowest, depth)?)
+        .layer(limit.label("stability limit"));
+        let figure = Figure::single(panel).title(title).size(5.2, 4.3).legend_below();
+        Ok(figure.color_bar(damping_bar()?).color_bar(growth_bar()?))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.
@@ -172,16 +164,8 @@ fn ends(set: &StableSet) -> Vec<f64> {
     both.map(Limit::value).filter(|end| end.is_finite() && *end > 0.0).collect()
 }
 
-/// Ends over the values of the other parameter, as lines where neighbours have equally many.
-fn boundaries(values: &[f64], ends: &[Vec<f64>]) -> Vec<Vec<(f64, f64)>> {
-    let rows: Vec<(f64, &Vec<f64>)> = values.iter().copied().zip(ends).collect();
-    rows.chunk_by(|a, b| a.1.len() == b.1.len())
-        .filter(|rows| rows.len() > 1)
-        .flat_map(|rows| {
-            let line = |end: usize| rows.iter().map(|row| (row.0, row.1[end])).collect();
-            (0..rows[0].1.len()).map(line).collect::<Vec<_>>()
-        })
-        .collect()
+fn floats(axis: &PlaneAxis) -> Vec<f64> {
+    axis.values.iter().map(to_f64).collect()
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Maps of the amplification factor over the (smoothing ratio, Courant number) plane.
 
 use crate::figure::{
-    Axis, Bands, Color, ColorBar, Dash, Field, Figure, FigureError, FilledContours, Isolines, Line,
-    Marker, Markers, Panel, Side,
+    Axis, Bands, Color, ColorBar, ColorMap, Dash, Field, Figure, FigureError, FilledContours,
+    Isolines, Layer, Line, Marker, Markers, Panel,
 };
 use crate::npy;
 use crate::number::finite;
@@ -22,11 +22,8 @@ const LIMIT_BITS: u32 = 48;
 /// The growth budget whose limit is drawn beside the strict one: doubling takes 693 steps.
 pub const DRAWN_GROWTH: (i64, i64) = (1, 1000);
 
-/// Bands of `|g|`, with the break between damping and growth exactly at 1.
-const EDGES: [f64; 13] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0];
-
-/// Isolines that carry numbers.
-const LEVELS: [f64; 6] = [0.2, 0.4, 0.6, 0.8, 1.25, 2.0];
+/// Where something grows, but by less than the drawn budget.
+const SLOW_GROWTH: Color = Color(255, 236, 150);
 
 /// What is mapped.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,49 +94,47 @@ pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityM
 }
 
 impl StabilityMap {
-    /// `max |g|` where a wave grows by more than the drawn budget, and `min |g|`, what is left of the
-    /// most damped wave, where none does; `[ratio, Courant number]`.
-    pub fn extreme_gain(&self) -> Array2<f64> {
-        let budget = DRAWN_GROWTH.0 as f64 / DRAWN_GROWTH.1 as f64;
-        let mut values = self.gains.growth.clone();
-        values.zip_mut_with(&self.gains.lowest_gain, |growth, lowest| {
-            *growth = if *growth > budget { 1.0 + *growth } else { *lowest };
-        });
-        values
-    }
-
-    /// The panel: bands, isolines, limit curves, and published points if there are any.
+    /// The panel: each side of the limit in colours of its own, limit curves, and published points if there are any.
     ///
     /// # Errors
     /// When the axes have too few points to draw.
     pub fn panel(&self, title: &str, published: &[PublishedPoint]) -> Result<Panel, FigureError> {
         let ratios: Vec<f64> = self.plan.ratios.iter().map(to_f64).collect();
         let courant_numbers: Vec<f64> = self.plan.courant_numbers.iter().map(to_f64).collect();
-        let budget = DRAWN_GROWTH.0 as f64 / DRAWN_GROWTH.1 as f64;
-        // Each side of the limit is contoured by itself: a band must not be smeared across the jump.
-        let side = |unstable: bool| {
-            let mut values = if unstable {
-                self.gains.growth.mapv(|growth| 1.0 + growth)
-            } else {
-                self.gains.lowest_gain.clone()
-            };
-            values.zip_mut_with(&self.gains.growth, |value, growth| {
-                if (*growth > budget) != unstable {
-                    *value = f64::NAN;
-                }
-            });
-            Field::new(ratios.clone(), courant_numbers.clone(), values)
+        let axes = (ratios.as_slice(), courant_numbers.as_slice());
+        // A single ratio that is stable between others that are not would be drawn as a spike.
+        let strict: Vec<f64> = stretches(&self.stability)
+            .flat_map(|part| part.iter().map(|point| if part.len() > 1 { point.1 } else { 0.0 }))
+            .collect();
+        let beyond = |limits: &[f64]| {
+            // A limit beyond the axis is as good as one a little above it.
+            let top = 2.0 * courant_numbers[courant_numbers.len() - 1];
+            let shape = (limits.len(), courant_numbers.len());
+            Array2::from_shape_fn(shape, |(i, j)| courant_numbers[j] - limits[i].min(top))
         };
-        let whole = Field::new(ratios.clone(), courant_numbers.clone(), self.extreme_gain())?;
-        let levels = |above: bool| LEVELS.into_iter().filter(move |level| (*level > 1.0) == above);
+        let budget: Vec<f64> = match self.differs_from_budget() {
+            true => self.growth.iter().map(|point| point.1).collect(),
+            false => strict.clone(),
+        };
+        let unstable = beyond(&strict);
+        let slow = Field::new(ratios.clone(), courant_numbers.clone(), unstable.clone())?;
         let mut panel = Panel::new(
             Axis::linear("smoothing ratio l/Δξ").spanning(&ratios),
             Axis::linear("Courant number C").spanning(&courant_numbers),
         )
         .title(title)
-        .layer(FilledContours::new(whole, bands()?))
-        .layer(Isolines::new(side(true)?, levels(true)))
-        .layer(Isolines::new(side(false)?, levels(false)));
+        .layers(damped_side(
+            axes,
+            &self.gains.lowest_gain,
+            unstable.mapv(|beyond| -beyond),
+        )?);
+        // On C = 0 itself nothing happens.
+        if self.differs_from_budget() {
+            let slow = FilledContours::region(slow, 1e-12, SLOW_GROWTH);
+            panel = panel.layer(slow.label("grows, by at most 10⁻³ per step"));
+        }
+        let largest = self.gains.growth.mapv(|growth| 1.0 + growth);
+        panel = panel.layers(growing_side(axes, &largest, beyond(&budget))?);
         let highest = courant_numbers[courant_numbers.len() - 1];
         let lowest = courant_numbers[0];
         let reaches_in = |curve: &[CurvePoint]| {
@@ -154,22 +149,14 @@ impl StabilityMap {
                     .color(Color::BLACK)
                     .width(1.1)
                     .dash(Dash::nth(1))
-                    .label("growth 10⁻³ per step"),
+                    .label("limit for a growth of 10⁻³ per step"),
             );
         }
         let drawn = reaches_in(&self.stability).then_some(self.stability.as_slice());
-        for stretch in drawn.into_iter().flat_map(stretches) {
-            let limit = match stretch {
-                // A line of one point has no length.
-                [point] => {
-                    panel = panel.layer(
-                        Markers::new([*point], Marker::Square).color(Color::BLACK).size(1.8),
-                    );
-                    continue;
-                }
-                points => Line::new(points.iter().copied()),
-            };
-            panel = panel.layer(limit.color(Color::BLACK).width(1.8).label("stability limit"));
+        let stretches = drawn.into_iter().flat_map(stretches);
+        for points in stretches.filter(|points| points.len() > 1 && points[0].1 > 0.0) {
+            let limit = Line::new(points.iter().copied()).width(1.8);
+            panel = panel.layer(limit.label("stability limit"));
         }
         if reaches_in(&self.monotonicity) {
             panel = panel.layer(
@@ -237,7 +224,8 @@ impl StabilityMap {
         Ok(Figure::single(self.panel(&title, &[])?)
             .size(5.2, 4.3)
             .legend_below()
-            .color_bar(color_bar()?, Side::Right))
+            .color_bar(damping_bar()?)
+            .color_bar(growth_bar()?))
     }
 
     /// The grid as comma-separated values, a row for each point.
@@ -293,21 +281,72 @@ fn stretches(curve: &[CurvePoint]) -> impl Iterator<Item = &[CurvePoint]> {
     curve.chunk_by(|a, b| (a.1 > 0.0) == (b.1 > 0.0))
 }
 
-/// The colour bar: the most damped wave below 1, the fastest growing one above.
+/// Axes of a map: values to the right and upwards.
+type Axes<'a> = (&'a [f64], &'a [f64]);
+
+/// The stable side of a map: bands and isolines of `|g|` of the most damped wave, where `border` is at least 0.
 ///
 /// # Errors
-/// Never: the edges ascend and contain 1.
-pub fn color_bar() -> Result<ColorBar, FigureError> {
-    let (below, above) = ("|g| of the most damped wave", "|g| of the fastest growing wave");
-    Ok(ColorBar::of_two(bands()?, below, above))
+/// When the axes have too few points to draw.
+pub fn damped_side(
+    (x, y): Axes<'_>,
+    lowest: &Array2<f64>,
+    border: Array2<f64>,
+) -> Result<[Layer; 2], FigureError> {
+    let field = Field::new(x.to_vec(), y.to_vec(), lowest.clone())?.within(border)?;
+    let lines = Isolines::new(field.clone(), [0.2, 0.4, 0.6, 0.8]);
+    Ok([FilledContours::new(field, shades_of_damping(5)?).into(), lines.into()])
 }
 
-/// The bands of the colour bar.
+/// The unstable side: bands and isolines of `|g|` of the fastest growing wave, where `border` is at least 0.
 ///
 /// # Errors
-/// Never: the edges ascend and contain 1.
-pub fn bands() -> Result<Bands, FigureError> {
-    Ok(Bands::two_sided(EDGES.to_vec(), 1.0)?.extend_above(Color::DARK_RED))
+/// When the axes have too few points to draw.
+pub fn growing_side(
+    (x, y): Axes<'_>,
+    largest: &Array2<f64>,
+    border: Array2<f64>,
+) -> Result<[Layer; 2], FigureError> {
+    let field = Field::new(x.to_vec(), y.to_vec(), largest.clone())?.within(border)?;
+    let lines = Isolines::new(field.clone(), [1.4, 2.0]);
+    Ok([FilledContours::new(field, shades_of_growth()?).into(), lines.into()])
+}
+
+/// Bands of equal width from 0 to 1, the darker the less is left of a wave.
+///
+/// # Errors
+/// Never: the edges ascend.
+pub fn shades_of_damping(count: u32) -> Result<Bands, FigureError> {
+    let part = |k: u32| f64::from(k) / f64::from(count);
+    // The palest band is tinted, so that it differs from paper and from the palest of growth.
+    let colors =
+        (0..count).map(|k| ColorMap::Blues.at(1.0 - 0.88 * f64::from(k) / f64::from(count - 1)));
+    Bands::new((0..=count).map(part).collect(), colors.collect())
+}
+
+/// Bands of a fifth from 1 to 2; what more than doubles in a step is darkest.
+fn shades_of_growth() -> Result<Bands, FigureError> {
+    let edges: Vec<f64> = (5..=10).map(|fifths| f64::from(fifths) / 5.0).collect();
+    // Below 1 is rounding.
+    let colors: Vec<Color> = (0..5).map(|k| ColorMap::Reds.at(0.12 + 0.2 * f64::from(k))).collect();
+    Ok(Bands::new(edges, colors.clone())?.extend_below(colors[0]).extend_above(Color::DARK_RED))
+}
+
+/// The colour bar of the stable side.
+///
+/// # Errors
+/// Never: the edges ascend.
+pub fn damping_bar() -> Result<ColorBar, FigureError> {
+    Ok(ColorBar::new(shades_of_damping(5)?, "|g| of the most damped wave"))
+}
+
+/// The colour bar of the unstable side.
+///
+/// # Errors
+/// Never: the edges ascend.
+pub fn growth_bar() -> Result<ColorBar, FigureError> {
+    let bands = shades_of_growth()?.needed_for([1.0, 3.0].into_iter());
+    Ok(ColorBar::new(bands, "|g| of the fastest growing wave"))
 }
 
 /// Which limit a published value claims.

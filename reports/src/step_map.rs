@@ -2,7 +2,6 @@
 
 use crate::figure::{
     Axis, Bands, ColorBar, ColorMap, Field, Figure, FigureError, FilledContours, Isolines, Panel,
-    Side,
 };
 use crate::npy;
 use courant_analysis::exact::rational::{Rational, to_f64};
@@ -53,7 +52,7 @@ impl StepMap {
     /// When the axes have too few points to draw.
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
         let field = Field::new(self.ratios.clone(), self.alphas.clone(), self.steps.clone())?;
-        let levels = [0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6];
+        let levels = [0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6];
         Ok(Panel::new(
             Axis::linear("smoothing ratio h/Δ").spanning(&self.ratios),
             Axis::linear("viscosity α").spanning(&self.alphas),
@@ -90,7 +89,7 @@ impl StepMap {
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
         Ok(Figure::single(self.panel(title)?)
             .size(5.2, 4.0)
-            .color_bar(Self::color_bar(std::slice::from_ref(self))?, Side::Right))
+            .color_bar(Self::color_bar(std::slice::from_ref(self))?))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.

@@ -1,7 +1,7 @@
 //! What schemes do to waves as one figure: gain, phase error, group speed, multipliers in the complex plane; with the direction in two
 //! dimensions.
 
-use crate::figure::{Anchor, Axis, Color, Dash, Figure, Line, Note, Panel, Rule};
+use crate::figure::{Axis, Color, Dash, Figure, Line, Note, Panel};
 use crate::wave_map::wave_number_axis;
 use courant_analysis::waves::branches::{Branch, BranchWave};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -29,8 +29,8 @@ pub struct WaveCurve {
 pub struct DirectionCurve {
     /// Which colour.
     pub color: usize,
-    /// Which dash pattern.
-    pub dash: usize,
+    /// Which of the wavelengths: the first is drawn boldest.
+    pub rank: usize,
     /// The wavelength in cells.
     pub wavelength: f64,
     /// Angle in degrees and what happens there.
@@ -132,8 +132,7 @@ fn phase_axis(curves: &[WaveCurve]) -> Axis {
 fn gain(curves: &[WaveCurve]) -> Panel {
     let values = physical(curves, |wave| Some(wave.gain())).into_iter();
     let axis = bounded("gain |z|", values.chain([0.9]), 1.0, HIGHEST_GAIN - 1.0);
-    let mut panel =
-        Panel::new(phase_axis(curves), axis).layer(Rule::horizontal(1.0).color(Color::GREY));
+    let mut panel = Panel::new(phase_axis(curves), axis).layer(Line::horizontal(1.0));
     for curve in curves {
         let exact = |wave: &BranchWave| wave.exact.map(|(exact, _)| exact.re.exp());
         // What the equation itself damps.
@@ -167,7 +166,7 @@ fn relative(
     }
     let axis = bounded(label, values.into_iter(), right, FARTHEST);
     let lines = curves.iter().flat_map(|curve| curve.lines(of, spurious));
-    Panel::new(phases, axis).layer(Rule::horizontal(right).color(Color::GREY)).layers(lines)
+    Panel::new(phases, axis).layer(Line::horizontal(right)).layers(lines)
 }
 
 /// The error of the phase speed, or of the rate of decay where the equation only damps.
@@ -216,12 +215,14 @@ fn against_direction(
     let y = bounded(label, values, 1.0, FARTHEST);
     let x = Axis::linear("direction (degrees)").range(0.0, 90.0);
     let x = x.ticks((0..=6).map(|k| (15.0 * f64::from(k), (15 * k).to_string())));
-    let mut panel = Panel::new(x, y).layer(Rule::horizontal(1.0).color(Color::GREY));
+    let mut panel = Panel::new(x, y).layer(Line::horizontal(1.0));
     for curve in curves {
         let points: Vec<(f64, f64)> =
             curve.waves.iter().map(|(angle, w)| (*angle, of(w).unwrap_or(f64::NAN))).collect();
-        let color = Color::qualitative(curve.color);
-        panel = panel.layer(Line::new(points).color(color).dash(Dash::nth(curve.dash)).width(1.2));
+        // Dashes tell directions in the other panels: here lengths are told by weight, and named.
+        let fades = 0.28 * curve.rank as f64;
+        let color = Color::qualitative(curve.color).mix(Color::WHITE, fades);
+        panel = panel.layer(Line::new(points).color(color).width(1.8 - 1.6 * fades));
     }
     for curve in curves.iter().filter(|curve| curve.color == curves[0].color) {
         // Beside the first line of each length.
@@ -229,7 +230,7 @@ fn against_direction(
             && let Some(value) = of(wave)
         {
             let text = format!("{} cells", curve.wavelength);
-            panel = panel.layer(Note::new(*angle, value, text).anchor(Anchor::Middle));
+            panel = panel.layer(Note::new(*angle, value, text));
         }
     }
     panel

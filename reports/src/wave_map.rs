@@ -1,10 +1,10 @@
 //! Maps of sound waves in particle methods: phase error over the (κ, h) plane, amplitude over (κ, α).
 
 use crate::figure::{
-    Axis, Bands, Color, ColorBar, ColorMap, Field, Figure, FigureError, FilledContours, Isolines,
-    Panel, Region, Side,
+    Axis, Bands, Color, ColorBar, Field, Figure, FigureError, FilledContours, Isolines, Panel,
 };
 use crate::npy;
+use crate::stability_map::shades_of_damping;
 use courant_analysis::exact::rational::{Rational, to_f64};
 use courant_analysis::scheme::LatticeMethod;
 use courant_analysis::waves::dispersion::sweep::{
@@ -15,13 +15,13 @@ use ndarray::Array2;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-/// Above this the damping ratio is drawn as this: its contour at 1 must not meet an infinite node.
-const LARGEST_DAMPING_RATIO: f64 = 4.0;
+/// Where no wave travels.
+const OVER_DAMPED: Color = Color(168, 168, 168);
 
 /// What a map shows of the forward wave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
-    /// `|cκ − Re ω|/(cκ)`.
+    /// `(Re ω − cκ)/(cκ)`: lead +, lag −.
     PhaseError,
     /// `exp(Im ω t)` at `t = Δ/c`.
     Amplitude,
@@ -53,7 +53,7 @@ pub struct WaveMap {
 /// let map = phase_error_map(&sph, &[1.0, 2.0], &[integer(1), integer(2)], &no_progress)?;
 /// // At h = Δ: ω² = 4(1 − cos κ) − sin²κ, in units of c²/Δ².
 /// let exact = 1.0 - (4.0 * (1.0 - 2f64.cos()) - 2f64.sin().powi(2)).sqrt() / 2.0;
-/// assert!((map.values[[1, 0]] - exact.abs()).abs() < 1e-14);
+/// assert!((map.values[[1, 0]] + exact).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -114,70 +114,82 @@ impl WaveMap {
         self.damping_ratio.iter().any(|value| *value > 1.0)
     }
 
-    /// The panel: bands, isolines, the over-damped region hatched, and where the lattice is unstable.
+    /// The panel: bands, isolines, where waves are over-damped, and where the lattice is unstable.
     ///
     /// # Errors
     /// When the axes have too few points to draw.
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
-        let field =
-            |values: Array2<f64>| Field::new(self.kappas.clone(), self.second.clone(), values);
+        let (low, high) = self.ends();
+        let last = self.kappas.len() - 1;
+        // Up to the ends of the axis values are those of the nearest wave: they are even in κ.
+        let before = (low < self.kappas[0]).then_some((low, 0));
+        let after = (high > self.kappas[last]).then_some((high, last));
+        let inner = self.kappas.iter().copied().zip(0..);
+        let (nodes, waves): (Vec<f64>, Vec<usize>) =
+            before.into_iter().chain(inner).chain(after).unzip();
+        let all = |values: &Array2<f64>| values.select(ndarray::Axis(0), &waves);
+        let field = |values: Array2<f64>| Field::new(nodes.clone(), self.second.clone(), values);
+        // Above 0 where waves travel; in this measure the damping ratio has no poles.
+        let damping = all(&self.damping_ratio);
+        let travels = damping.mapv(|ratio| match ratio.is_infinite() {
+            true => -1.0,
+            false => (1.0 - ratio) / (1.0 + ratio),
+        });
+        let still = travels.mapv(|travels| -travels);
+        let values = field(all(&self.values))?;
         let name = match self.shown {
             Shown::PhaseError => "smoothing ratio h/Δ",
             Shown::Amplitude => "viscosity coefficient α",
         };
-        let mut panel = Panel::new(self.wave_numbers(), Axis::linear(name).spanning(&self.second))
-            .title(title)
-            .layer(FilledContours::new(field(self.values.clone())?, self.bands()?));
-        // Where nothing travels the error is 1 by definition: its isolines would only crowd the border.
-        let mut travelling = self.values.clone();
-        travelling.zip_mut_with(&self.damping_ratio, |value, ratio| {
-            if *ratio > 1.0 || ratio.is_nan() {
-                *value = f64::NAN;
-            }
-        });
+        let x = wave_number_axis().range(low, high);
+        let mut panel = Panel::new(x, Axis::linear(name).spanning(&self.second)).title(title);
+        // A single wave is rounding at the end of the lattice's stability.
+        if damping.iter().filter(|ratio| ratio.is_nan()).count() > 1 {
+            let everywhere = field(damping.mapv(|_| 0.0))?;
+            let grows = FilledContours::region(everywhere, 0.0, Color::DARK_RED);
+            panel = panel.layer(grows.label("lattice unstable: the wave grows"));
+        }
+        let border = Isolines::new(field(travels.clone())?, [0.0]).values(false).width(1.4);
         let levels: &[f64] = match self.shown {
-            Shown::PhaseError => &[0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.6],
+            Shown::PhaseError => &[-0.6, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2],
             Shown::Amplitude => &[0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9],
         };
-        let shown = match self.shown {
-            Shown::PhaseError => travelling,
-            Shown::Amplitude => self.values.clone(),
-        };
-        let damping = self
-            .damping_ratio
-            .mapv(|ratio| if ratio.is_nan() { 0.0 } else { ratio.min(LARGEST_DAMPING_RATIO) });
-        let damping = field(damping)?;
-        let border =
-            Isolines::new(damping.clone(), [1.0]).without_values().color(Color::BLACK).width(1.4);
-        let over_damped = regions(&damping, 1.0).map(|region| {
-            let region = match self.shown {
-                // All of one value: the tint is that of the map, so that the legend shows it too.
-                Shown::PhaseError => region.fill(ColorMap::Blues.at(1.0), 1.0).hatch(Color::WHITE),
-                Shown::Amplitude => region.hatch(Color::BLACK),
-            };
-            region.label("over-damped: both waves decay, none travels")
-        });
-        // The values in the isolines stand over the hatching.
-        let isolines = Isolines::new(field(shown)?, levels.iter().copied()).width(0.6);
-        panel = panel.layers(over_damped).layer(isolines).layer(border);
-        let unstable =
-            field(self.damping_ratio.mapv(|ratio| if ratio.is_nan() { 1.0 } else { 0.0 }))?;
-        let growing = regions(&unstable, 0.5)
-            .map(|region| region.hatch(Color::VERMILION).label("lattice unstable: the wave grows"));
-        Ok(panel.layers(growing))
+        // The two sides of the border each by themselves: there the amplitude has a cusp.
+        let travelling = values.clone().within(travels)?;
+        panel = panel
+            .layer(FilledContours::new(travelling.clone(), self.bands()?))
+            .layer(Isolines::new(travelling.clone(), levels.to_vec()).width(0.5));
+        let leads = self.values.iter().any(|error| *error > 0.0);
+        if self.shown == Shown::PhaseError && leads {
+            panel = panel.layer(Isolines::new(travelling, [0.0]).width(1.2).label("exact speed"));
+        }
+        Ok(match (self.has_over_damped(), self.shown) {
+            (false, _) => panel,
+            (true, Shown::PhaseError) => {
+                let still = FilledContours::region(field(still)?, 0.0, OVER_DAMPED);
+                let still = still.label("over-damped: both waves decay, none travels");
+                panel.layer(still).layer(border)
+            }
+            (true, Shown::Amplitude) => {
+                let still = values.within(still)?;
+                panel
+                    .layer(FilledContours::new(still.clone(), self.bands()?))
+                    .layer(Isolines::new(still, levels.to_vec()).width(0.5))
+                    .layer(border.label("beyond: over-damped, no wave travels"))
+            }
+        })
     }
 
-    /// The axis of this map's wave numbers. An end that stops less than a step short of 0 or of a labelled tick
-    /// is drawn up to it: a map cannot begin at 0, and decimals do not reach π.
-    fn wave_numbers(&self) -> Axis {
+    /// The ends of the axis of wave numbers. One that stops less than a step short of 0 or of a labelled tick is drawn up
+    /// to it: a map cannot begin at 0, and decimals do not reach π.
+    fn ends(&self) -> (f64, f64) {
         let kappas = &self.kappas;
         let (low, high) = (kappas[0], kappas[kappas.len() - 1]);
         let steps = || kappas.windows(2).map(|pair| 1.0001 * (pair[1] - pair[0]));
         let low = if steps().next().is_some_and(|step| low <= step) { 0.0 } else { low };
         let next = 0.25 * PI * (high / (0.25 * PI)).ceil();
-        let high =
-            if steps().next_back().is_some_and(|step| next - high < step) { next } else { high };
-        wave_number_axis().range(low, high)
+        let short = steps().next_back().is_some_and(|step| next - high < step);
+        (low, if short { next } else { high })
     }
 
     /// The bands of the colour bar.
@@ -187,15 +199,12 @@ impl WaveMap {
     pub fn bands(&self) -> Result<Bands, FigureError> {
         match self.shown {
             Shown::PhaseError => {
-                let edges = vec![0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0];
-                Bands::sequential(edges, ColorMap::Blues)
-                    .map(|bands| bands.extend_above(ColorMap::Blues.at(1.0)))
+                let half = [0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.6];
+                let edges = half.iter().rev().map(|edge| -edge).chain(half).collect();
+                let bands = Bands::about_zero(edges)?.extend_below(Color(8, 38, 76));
+                Ok(bands.extend_above(Color::DARK_RED))
             }
-            Shown::Amplitude => {
-                let edges = (0..=10).map(|tenths| f64::from(tenths) / 10.0).collect();
-                Bands::sequential(edges, ColorMap::Viridis)
-                    .map(|bands| bands.extend_above(Color::DARK_RED))
-            }
+            Shown::Amplitude => Ok(shades_of_damping(10)?.extend_above(Color::DARK_RED)),
         }
     }
 
@@ -205,7 +214,7 @@ impl WaveMap {
     /// Never: the edges ascend.
     pub fn color_bar(&self, others: &[&Self]) -> Result<ColorBar, FigureError> {
         let label = match self.shown {
-            Shown::PhaseError => "phase error |cκ − Re ω|/(cκ)",
+            Shown::PhaseError => "phase error Re ω/(cκ) − 1 (lead +, lag −)",
             Shown::Amplitude => "amplitude at t = Δ/c",
         };
         let maps = std::iter::once(self).chain(others.iter().copied());
@@ -220,7 +229,7 @@ impl WaveMap {
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
         Ok(Figure::single(self.panel(title)?)
             .size(5.4, 4.2)
-            .color_bar(self.color_bar(&[])?, Side::Right)
+            .color_bar(self.color_bar(&[])?)
             .legend_below())
     }
 
@@ -256,12 +265,6 @@ pub fn wave_number_axis() -> Axis {
         (1.75 * PI, "7π/4"),
         (2.0 * PI, "2π"),
     ])
-}
-
-/// The regions where a field is at least `level`.
-fn regions(field: &Field, level: f64) -> impl Iterator<Item = Region> + use<> {
-    let ring_region = |ring: Vec<[f64; 2]>| Region::polygon(ring.into_iter().map(|p| (p[0], p[1])));
-    field.region_at_least(level).into_iter().map(ring_region)
 }
 
 #[cfg(test)]
@@ -301,15 +304,14 @@ mod tests {
             let values = Array2::zeros((kappas.len(), 2));
             let second = vec![1.0, 2.0];
             let damping_ratio = values.clone();
-            WaveMap { shown: Shown::Amplitude, kappas, second, values, damping_ratio }
-                .wave_numbers()
+            WaveMap { shown: Shown::Amplitude, kappas, second, values, damping_ratio }.ends()
         };
         let even = |from: i32, to: i32| -> Vec<f64> {
             (from..=to).map(|index| f64::from(index) * 0.02).collect()
         };
-        assert_eq!(axis(&even(1, 157)), wave_number_axis().range(0.0, PI));
-        assert_eq!(axis(&even(1, 314)), wave_number_axis().range(0.0, 2.0 * PI));
-        assert_eq!(axis(&even(50, 100)), wave_number_axis().range(1.0, 2.0));
+        assert_eq!(axis(&even(1, 157)), (0.0, PI));
+        assert_eq!(axis(&even(1, 314)), (0.0, 2.0 * PI));
+        assert_eq!(axis(&even(50, 100)), (1.0, 2.0));
     }
 
     #[test]

@@ -111,9 +111,9 @@ fn write(
     figure: &Figure,
     data: impl FnOnce() -> Vec<(String, Vec<u8>)> + Send,
 ) -> Result<Outcome, Failure> {
-    let (pictures, data) = rayon::join(|| figure.pictures(), data);
-    let (png, svg) = pictures?;
-    let mut files = vec![(format!("{stem}.png"), png), (format!("{stem}.svg"), svg.into_bytes())];
+    let ((png, svg), data) = rayon::join(|| rayon::join(|| figure.png(), || figure.svg()), data);
+    let (png, svg) = (png?, svg?.into_bytes());
+    let mut files = vec![(format!("{stem}.png"), png), (format!("{stem}.svg"), svg)];
     files.extend(data);
     let mut text = String::new();
     for (name, bytes) in files {

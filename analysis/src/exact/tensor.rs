@@ -303,3 +303,6 @@ impl Bernstein {
 fn binomial(n: usize, k: usize) -> BigInt {
     if k > n { BigInt::zero() } else { num_integer::binomial(BigInt::from(n), BigInt::from(k)) }
 }
+
+#[cfg(test)]
+mod tests;

@@ -173,3 +173,6 @@ pub(crate) fn zeros_of(real: &Laurent, names: &Names, bits: u32) -> Vec<Rational
     found.extend(at_ends.map(|(end, _)| integer(end)));
     found
 }
+
+#[cfg(test)]
+mod tests;

@@ -150,7 +150,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
                 Order::Known => interval.to.clone(),
                 Order::Other => other.to.bound_by(binding),
                 Order::Unclear(lower) => {
-                    // Not told apart: is this condition kept up to where the known one certainly is?
+                    // Is this condition kept up to where the known one certainly is?
                     let again =
                         search_within(&inequality.margin, &lower, &known, plan.bits, plan.budget);
                     result.work += again.work;
@@ -177,7 +177,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
 enum Order {
     Known,
     Other,
-    /// Their enclosures overlap; the known one is certainly not before this.
+    /// The other one may come first; the known one is certainly not before this.
     Unclear(Rational),
 }
 
@@ -193,13 +193,7 @@ fn order(known: &Limit, other: &Limit) -> Order {
     if known.upper().is_infinite() {
         return Order::Other;
     }
-    if other_lower >= known_lower {
-        return Order::Known;
-    }
-    match other.certain_upper() {
-        Some(upper) if upper < known_lower => Order::Other,
-        _ => Order::Unclear(known_lower),
-    }
+    if other_lower >= known_lower { Order::Known } else { Order::Unclear(known_lower) }
 }
 
 /// A short fraction a little above a limit: conditions that touch zero beyond it are not asked about.
@@ -223,3 +217,6 @@ fn holds_beyond(margin: &Margin, plan: &SearchPlan) -> bool {
     MarginForm::new(margin).reversed().sign(&Rational::zero(), &t.recip(), boxes).0
         == Sign::NowhereNegative
 }
+
+#[cfg(test)]
+mod tests;

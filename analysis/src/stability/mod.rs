@@ -19,6 +19,8 @@ mod pointwise;
 mod sampled;
 mod singular;
 mod stable_set;
+#[cfg(test)]
+mod testing;
 mod torus;
 pub mod verdict;
 mod wave;

@@ -105,10 +105,8 @@ impl Step {
             let inside: Vec<_> = certain.iter().filter(|part| whole.holds(part, plan)).collect();
             enclose(&mut set, whole, &inside, plan);
         }
-        let never_ends = || least.iter().all(Coefficient::is_never_negative);
-        if let Some(last) = set.intervals.last_mut().filter(|last| last.to.upper().is_infinite())
-            && last.to.evidence() != Evidence::Undecided
-            && never_ends()
+        if let Some(last) = set.intervals.last_mut()
+            && least.iter().all(Coefficient::is_never_negative)
         {
             last.to = Limit::unbounded(&plan.max, evidence);
         }

@@ -1,11 +1,11 @@
 //! Figure 1: two kernels, two schemes.
 
 use super::{Detail, LimitKind, ReportError, published_values};
-use crate::figure::{Figure, Side};
+use crate::figure::Figure;
 use crate::number::significant;
 use crate::page::Item;
 use crate::stability_map::{
-    MapPlan, PublishedLimit, PublishedPoint, StabilityMap, color_bar, stability_map,
+    MapPlan, PublishedLimit, PublishedPoint, StabilityMap, damping_bar, growth_bar, stability_map,
 };
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
@@ -64,7 +64,7 @@ pub fn figure_1(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportEr
         nowhere_stable.push_str(&without_strict_limit(&map));
         data.extend(map.data_files(&format!("figure_01{letter}")));
     }
-    let figure = figure.color_bar(color_bar()?, Side::Right).legend_below();
+    let figure = figure.color_bar(damping_bar()?).color_bar(growth_bar()?).legend_below();
     Ok(Item::Figure {
         name: "figure_01".into(),
         figure: Box::new(figure),

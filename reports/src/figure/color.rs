@@ -1,81 +1,188 @@
-//! Colours and the qualitative palette.
+//! Colours: the qualitative palette, colour maps, and the bands of value that maps are painted in.
 
-/// An opaque sRGB colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Color {
-    /// Red, 0 to 255.
-    pub red: u8,
-    /// Green, 0 to 255.
-    pub green: u8,
-    /// Blue, 0 to 255.
-    pub blue: u8,
-}
+use super::FigureError;
+use plotters::style::{
+    RGBColor,
+    colors::colormaps::{ColorMap as _, DerivedColorMap, ViridisRGB},
+};
 
+/// An opaque sRGB colour: red, green, blue.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Color(pub u8, pub u8, pub u8);
+
+/// The Okabe–Ito palette (Okabe & Ito 2008), safe under colour blindness, and more.
+#[allow(missing_docs, reason = "the names say it")]
 impl Color {
-    /// Black.
-    pub const BLACK: Color = Color::rgb(0, 0, 0);
-    /// White.
-    pub const WHITE: Color = Color::rgb(255, 255, 255);
-    /// Middle grey, for what stays in the background.
-    pub const GREY: Color = Color::rgb(120, 120, 120);
-    /// Okabe–Ito orange.
-    pub const ORANGE: Color = Color::rgb(230, 159, 0);
-    /// Okabe–Ito sky blue.
-    pub const SKY: Color = Color::rgb(86, 180, 233);
-    /// Okabe–Ito bluish green.
-    pub const GREEN: Color = Color::rgb(0, 158, 115);
-    /// Okabe–Ito yellow: too pale for thin lines on white.
-    pub const YELLOW: Color = Color::rgb(240, 228, 66);
-    /// Okabe–Ito blue.
-    pub const BLUE: Color = Color::rgb(0, 114, 178);
-    /// Okabe–Ito vermilion.
-    pub const VERMILION: Color = Color::rgb(213, 94, 0);
-    /// Okabe–Ito reddish purple.
-    pub const PURPLE: Color = Color::rgb(204, 121, 167);
+    pub const BLACK: Color = Color(0, 0, 0);
+    pub const WHITE: Color = Color(255, 255, 255);
+    /// For what stays in the background.
+    pub const GREY: Color = Color(120, 120, 120);
+    pub const ORANGE: Color = Color(230, 159, 0);
+    pub const SKY: Color = Color(86, 180, 233);
+    pub const GREEN: Color = Color(0, 158, 115);
+    /// Too pale for thin lines on white.
+    pub const YELLOW: Color = Color(240, 228, 66);
+    pub const BLUE: Color = Color(0, 114, 178);
+    pub const VERMILION: Color = Color(213, 94, 0);
+    pub const PURPLE: Color = Color(204, 121, 167);
+    /// Darker than every colour of [`ColorMap::Reds`]: what grows beyond the last band.
+    pub const DARK_RED: Color = Color(92, 8, 18);
 
-    /// Darker than every colour of [`ColorMap::Reds`](super::ColorMap::Reds): what grows beyond the last band.
-    pub const DARK_RED: Color = Color::rgb(92, 8, 18);
-
-    /// A colour from its three components.
-    pub const fn rgb(red: u8, green: u8, blue: u8) -> Color {
-        Color { red, green, blue }
-    }
-
-    /// The `i`-th colour for curves that must be told apart: the Okabe–Ito palette (Okabe & Ito 2008,
-    /// safe under colour blindness), ordered so that the first ones differ most, repeating after seven.
+    /// The `i`-th colour for curves that must be told apart, ordered so that the first ones differ most; repeats after
+    /// seven.
     ///
     /// ```
     /// use courant_reports::figure::Color;
-    /// assert_eq!(Color::qualitative(0), Color::BLUE);
     /// assert_eq!(Color::qualitative(7), Color::BLUE);
     /// ```
     pub const fn qualitative(i: usize) -> Color {
-        const ORDER: [Color; 7] = [
-            Color::BLUE,
-            Color::VERMILION,
-            Color::GREEN,
-            Color::ORANGE,
-            Color::PURPLE,
-            Color::SKY,
-            Color::BLACK,
-        ];
-        ORDER[i % ORDER.len()]
+        use Color as C;
+        [C::BLUE, C::VERMILION, C::GREEN, C::ORANGE, C::PURPLE, C::SKY, C::BLACK][i % 7]
     }
 
     /// The colour a fraction `t` of the way to `other`, linear in the sRGB components.
     pub fn mix(self, other: Color, t: f64) -> Color {
-        let t = t.clamp(0.0, 1.0);
-        // The cast rounds a value already within 0..=255.
-        let part = |a: u8, b: u8| (f64::from(a) + t * (f64::from(b) - f64::from(a))).round() as u8;
-        Color::rgb(
-            part(self.red, other.red),
-            part(self.green, other.green),
-            part(self.blue, other.blue),
-        )
+        DerivedColorMap::new(&[self, other].map(Color::plotters)).get_color(t).into()
     }
 
     /// The same colour for plotters.
-    pub(super) fn plotters(self) -> plotters::style::RGBColor {
-        plotters::style::RGBColor(self.red, self.green, self.blue)
+    pub(super) fn plotters(self) -> RGBColor {
+        RGBColor(self.0, self.1, self.2)
+    }
+}
+
+impl From<RGBColor> for Color {
+    fn from(RGBColor(red, green, blue): RGBColor) -> Color {
+        Color(red, green, blue)
+    }
+}
+
+/// A continuous, colour-blind-safe sequence of colours over 0..=1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ColorMap {
+    /// Dark violet to yellow, perceptually uniform (van der Walt & Smith 2015).
+    Viridis,
+    /// Near-white to dark blue.
+    Blues,
+    /// Near-white over orange to dark red.
+    Reds,
+}
+
+const BLUES: [(u8, u8, u8); 5] =
+    [(247, 249, 251), (203, 225, 239), (134, 187, 218), (58, 131, 185), (20, 72, 128)];
+const REDS: [(u8, u8, u8); 5] =
+    [(251, 248, 246), (253, 217, 184), (247, 165, 106), (214, 86, 52), (137, 22, 28)];
+
+impl ColorMap {
+    /// The colour at `t` in 0..=1; values outside are clamped.
+    pub fn at(self, t: f64) -> Color {
+        let stops = match self {
+            ColorMap::Viridis => return ViridisRGB.get_color(t).into(),
+            ColorMap::Blues => BLUES,
+            ColorMap::Reds => REDS,
+        };
+        let stops = stops.map(|(red, green, blue)| RGBColor(red, green, blue));
+        DerivedColorMap::new(&stops).get_color(t).into()
+    }
+}
+
+/// Values cut into bands, each with its colour: what filled contours and their colour bar share.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bands {
+    pub(super) edges: Vec<f64>,
+    pub(super) colors: Vec<Color>,
+    pub(super) below: Option<Color>,
+    pub(super) above: Option<Color>,
+}
+
+impl Bands {
+    /// Bands `edges[k] <= v < edges[k+1]` in the colour `colors[k]`. Smaller values stay blank, larger ones have the last
+    /// colour.
+    ///
+    /// # Errors
+    /// If there are fewer than two edges, they do not increase, or there is not one colour per band.
+    pub fn new(edges: Vec<f64>, colors: Vec<Color>) -> Result<Bands, FigureError> {
+        let valid = super::field::strictly_increasing(&edges) && colors.len() + 1 == edges.len();
+        match valid && edges.len() > 1 {
+            true => Ok(Bands { edges, colors, below: None, above: None }),
+            false => Err(FigureError::Bands),
+        }
+    }
+
+    /// Bands in colours taken at equal steps along a map, from its first to its last colour.
+    ///
+    /// # Errors
+    /// As [`Bands::new`].
+    ///
+    /// ```
+    /// use courant_reports::figure::{Bands, ColorMap};
+    /// assert!(Bands::sequential(vec![0.0, 0.5, 1.0], ColorMap::Viridis).is_ok());
+    /// assert!(Bands::sequential(vec![0.0, 0.0], ColorMap::Reds).is_err());
+    /// ```
+    pub fn sequential(edges: Vec<f64>, map: ColorMap) -> Result<Bands, FigureError> {
+        let n = edges.len().saturating_sub(1);
+        let step = 1.0 / (n.max(2) - 1) as f64;
+        let colors = (0..n).map(|k| map.at(k as f64 * step)).collect();
+        Bands::new(edges, colors)
+    }
+
+    /// Bands for quantities whose sign matters, edges symmetric about 0: blue below, orange to red above, the band about
+    /// 0 nearly white.
+    ///
+    /// # Errors
+    /// As [`Bands::new`].
+    pub fn about_zero(edges: Vec<f64>) -> Result<Bands, FigureError> {
+        let n = edges.len().saturating_sub(1);
+        let color = |k: usize| {
+            let t = (2 * k) as f64 / (n.max(2) - 1) as f64 - 1.0;
+            if t < 0.0 { ColorMap::Blues.at(-t) } else { ColorMap::Reds.at(t) }
+        };
+        Bands::new(edges, (0..n).map(color).collect())
+    }
+
+    /// Paints values below the first edge too; the colour bar shows a pointed end.
+    pub fn extend_below(mut self, color: Color) -> Bands {
+        self.below = Some(color);
+        self
+    }
+
+    /// Paints values above the last edge apart; the colour bar shows a pointed end.
+    pub fn extend_above(mut self, color: Color) -> Bands {
+        self.above = Some(color);
+        self
+    }
+
+    /// The same bands, without the ends that none of the values needs: a colour bar must not promise what is not drawn.
+    pub fn needed_for(mut self, values: impl Iterator<Item = f64> + Clone) -> Bands {
+        let (first, last) = (self.edges[0], self.edges[self.edges.len() - 1]);
+        self.below = self.below.filter(|_| values.clone().any(|value| value < first));
+        self.above = self.above.filter(|_| values.clone().any(|value| value > last));
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_tell_the_sign() {
+        let bands = Bands::about_zero(vec![-2.0, -1.0, -0.5, 0.5, 1.0, 2.0]).unwrap();
+        let redness = bands.colors.iter().map(|c| (i32::from(c.0) - i32::from(c.2)) / 20);
+        assert_eq!(redness.map(i32::signum).collect::<Vec<_>>(), [-1, -1, 0, 1, 1]);
+        assert_eq!(Color::BLACK.mix(Color::WHITE, 0.5), Color(128, 128, 128));
+    }
+
+    #[test]
+    fn ends_stay_where_values_lie_beyond_them() {
+        let bands = Bands::sequential(vec![0.0, 1.0, 2.0], ColorMap::Blues).unwrap();
+        let bands = bands.extend_below(Color::BLACK).extend_above(Color::GREY);
+        let ends = |values: &[f64]| {
+            let bands = bands.clone().needed_for(values.iter().copied());
+            (bands.below.is_some(), bands.above.is_some())
+        };
+        assert_eq!(ends(&[0.0, 1.3, 2.0, f64::NAN]), (false, false));
+        assert_eq!(ends(&[2f64.next_up()]), (false, true));
+        assert_eq!(ends(&[-1e-9, 1.0]), (true, false));
     }
 }

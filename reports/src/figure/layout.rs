@@ -1,33 +1,32 @@
 //! Figures: panels in a grid, with what they share.
 
 use super::{
+    FigureError,
     color::Color,
-    color_bar::{ColorBar, Side},
-    error::FigureError,
+    color_bar::ColorBar,
     geometry::Rect,
     legend,
-    panel::{BAR_GAP, Canvas, Drawn, LABEL_GAP, Margins, Panel, Resolved},
+    paint::{self, Drawn},
+    panel::{LABEL_GAP, Panel},
     raster::{self, Raster},
     text::{self, POINT},
-    vector::{self, Vector},
 };
 use plotters::{
     backend::SVGBackend,
     drawing::IntoDrawingArea,
-    style::{
-        WHITE,
-        text_anchor::{HPos, VPos},
-    },
+    style::text_anchor::{HPos, VPos},
 };
 use plotters_backend::DrawingBackend;
 
-const FIGURE_TITLE_SIZE: f64 = 10.5;
+const TITLE_SIZE: f64 = 10.5;
 /// Between neighbouring panels, beside their labels.
 const PANEL_GAP: f64 = 7.0 * POINT;
+/// From panels to colour bars.
+const BAR_GAP: f64 = 9.0 * POINT;
 /// Around everything.
 const PAGE_MARGIN: f64 = 4.0 * POINT;
 
-/// Panels in a grid, with title, legend and colour bar in common.
+/// Panels in a grid, with title, legend and colour bars in common.
 ///
 /// The picture is made in memory as PNG or SVG; both show the same, and equal figures give equal bytes.
 #[derive(Debug, Clone)]
@@ -38,23 +37,21 @@ pub struct Figure {
     height: f64,
     title: String,
     panels: Vec<Panel>,
-    color_bar: Option<(ColorBar, Side)>,
+    color_bars: Vec<ColorBar>,
     legend_below: bool,
 }
 
 impl Figure {
-    /// A figure for `rows` x `columns` panels, 7 inches wide (the text width of most journals), or 4.5 for a single
-    /// column of panels.
+    /// A figure for `rows` x `columns` panels, 7 inches wide (the text width of most journals) and 5 high.
     pub fn grid(rows: usize, columns: usize) -> Figure {
-        let width = if columns > 1 { 7.0 } else { 4.5 };
         Figure {
             rows,
             columns,
-            width,
-            height: 0.6 + rows as f64 * width / columns.max(1) as f64 * 0.72,
+            width: 7.0,
+            height: 5.0,
             title: String::new(),
             panels: Vec::new(),
-            color_bar: None,
+            color_bars: Vec::new(),
             legend_below: false,
         }
     }
@@ -66,12 +63,11 @@ impl Figure {
 
     /// Sets the size in inches.
     pub fn size(mut self, width: f64, height: f64) -> Figure {
-        self.width = width;
-        self.height = height;
+        (self.width, self.height) = (width, height);
         self
     }
 
-    /// Sets the title above all panels.
+    /// Sets the title above all panels; a long one takes several lines.
     pub fn title(mut self, title: impl Into<String>) -> Figure {
         self.title = title.into();
         self
@@ -89,9 +85,9 @@ impl Figure {
         self
     }
 
-    /// Shows one colour bar for all panels.
-    pub fn color_bar(mut self, bar: ColorBar, side: Side) -> Figure {
-        self.color_bar = Some((bar, side));
+    /// Shows a colour bar at the right, for all panels; several stand above each other, the first one lowest.
+    pub fn color_bar(mut self, bar: ColorBar) -> Figure {
+        self.color_bars.push(bar);
         self
     }
 
@@ -117,17 +113,16 @@ impl Figure {
     /// As [`Figure::png`].
     pub fn svg(&self) -> Result<String, FigureError> {
         let mut document = String::new();
-        self.draw_on(Vector(SVGBackend::with_string(&mut document, self.units())))?;
-        Ok(vector::sized(&document, self.units()))
-    }
-
-    /// [PNG](Self::png) and [SVG](Self::svg), drawn at the same time.
-    ///
-    /// # Errors
-    /// As [`Figure::png`].
-    pub fn pictures(&self) -> Result<(Vec<u8>, String), FigureError> {
-        let (png, svg) = rayon::join(|| self.png(), || self.svg());
-        Ok((png?, svg?))
+        let (width, height) = self.units();
+        self.draw_on(SVGBackend::with_string(&mut document, (width, height)))?;
+        // Its physical size instead of units of the canvas.
+        let inches = |units: u32| f64::from(units) / (72.0 * POINT);
+        let size = format!(
+            "role=\"img\" stroke-linejoin=\"round\" width=\"{}in\" height=\"{}in\"",
+            inches(width),
+            inches(height)
+        );
+        Ok(document.replacen(&format!("width=\"{width}\" height=\"{height}\""), &size, 1))
     }
 
     /// The size of the canvas.
@@ -139,144 +134,68 @@ impl Figure {
     fn draw_on<DB: DrawingBackend>(&self, backend: DB) -> Result<(), FigureError> {
         let (rows, columns) = (self.rows, self.columns);
         if self.panels.len() > rows * columns || self.panels.is_empty() {
-            return Err(FigureError::PanelCount { panels: self.panels.len(), rows, columns });
+            return Err(FigureError::PanelCount(self.panels.len(), rows, columns));
         }
-        let panels: Vec<Resolved> =
+        let panels: Vec<Panel> =
             self.panels.iter().map(Panel::resolve).collect::<Result<_, _>>()?;
         let (width, height) = self.units();
         let page = Rect { left: 0.0, top: 0.0, right: width.into(), bottom: height.into() };
         let mut area = page.grown(-PAGE_MARGIN);
-        if !self.title.is_empty() {
-            area.top += 1.5 * FIGURE_TITLE_SIZE * POINT;
-        }
-        let entries = match self.legend_below {
-            true => legend::entries(self.panels.iter().flat_map(Panel::all_layers)),
-            false => Vec::new(),
+        let title = text::wrapped(&self.title, TITLE_SIZE, area.width());
+        let title_line = 1.3 * TITLE_SIZE * POINT;
+        area.top += title.len() as f64 * title_line;
+        let layers = self.panels.iter().filter(|_| self.legend_below).flat_map(|p| &p.layers);
+        let legend = legend::rows(layers, area.width());
+        area.bottom -= legend.len() as f64 * (legend::ROW + LABEL_GAP / legend.len().max(1) as f64);
+        let bars = self.color_bars.len() as f64;
+        // Bars are as long as the plots, which are shorter than the area by titles and axes.
+        let length = 0.8 * area.height() / bars;
+        let breadths = self.color_bars.iter().map(|bar| BAR_GAP + bar.breadth(length));
+        area.right -= breadths.fold(0.0, f64::max);
+        let cell = Rect {
+            right: area.left + (area.width() + PANEL_GAP) / columns as f64 - PANEL_GAP,
+            bottom: area.top + (area.height() + PANEL_GAP) / rows as f64 - PANEL_GAP,
+            ..area
         };
-        let legend_rows = legend::rows(&entries, area.width());
-        if !entries.is_empty() {
-            area.bottom -= legend_rows.len() as f64 * legend::ROW + LABEL_GAP;
-        }
-        let legend_top = area.bottom + LABEL_GAP;
-        // The label of an upright bar is centred on the plots, which are shorter than the area by titles and axes.
-        if let Some((bar, side)) = &self.color_bar {
-            match side {
-                Side::Right => area.right -= bar.breadth(*side, 0.85 * area.height()) + BAR_GAP,
-                Side::Below => area.bottom -= bar.breadth(*side, area.width()) + BAR_GAP,
+        let inner = |m: Rect| (cell.width() - m.left - m.right, cell.height() - m.top - m.bottom);
+        let mut margins = Rect { left: 0.0, top: 0.0, right: 0.0, bottom: 0.0 };
+        // Margins depend on the ticks and these on the size: three rounds settle it.
+        for _ in 0..3 {
+            let (width, height) = inner(margins);
+            if !(width >= 30.0 * POINT && height >= 30.0 * POINT) {
+                return Err(FigureError::TooSmall(width / POINT, height / POINT));
+            }
+            for m in panels.iter().map(|panel| panel.margins(width, height)) {
+                margins = margins.union_of_sides(m);
             }
         }
-        let grid = Grid::fit(&panels, rows, columns, &area)?;
+        let plot = |row: usize, column: usize| {
+            let left = area.left + margins.left + column as f64 * (cell.width() + PANEL_GAP);
+            let top = area.top + margins.top + row as f64 * (cell.height() + PANEL_GAP);
+            let (width, height) = inner(margins);
+            Rect { left, top, right: left + width, bottom: top + height }
+        };
         let canvas = backend.into_drawing_area();
         let draw = || -> Drawn<DB> {
-            canvas.fill(&WHITE)?;
-            let style = text::style(FIGURE_TITLE_SIZE, Color::BLACK, HPos::Center, VPos::Top);
-            canvas.draw_text(&self.title, &style, (width as i32 / 2, PAGE_MARGIN as i32))?;
+            paint::fill(&canvas, &[page.corners()], Color::WHITE)?;
+            let style = text::style(TITLE_SIZE, Color::BLACK, HPos::Center, VPos::Top);
+            for (k, line) in title.iter().enumerate() {
+                let top = PAGE_MARGIN + k as f64 * title_line;
+                canvas.draw_text(line, &style, (width as i32 / 2, top as i32))?;
+            }
             for (k, panel) in panels.iter().enumerate() {
-                let (row, column) = (k / columns, k % columns);
-                panel.draw(&canvas, grid.plot(row, column), grid.margins(row, column))?;
+                panel.draw(&canvas, plot(k / columns, k % columns), margins)?;
             }
-            if let Some((bar, side)) = &self.color_bar {
-                let (first, last) = (grid.plot(0, 0), grid.plot(rows - 1, columns - 1));
-                let plots = Rect { right: last.right, bottom: last.bottom, ..first };
-                let at = match side {
-                    Side::Right => area.right + BAR_GAP,
-                    Side::Below => area.bottom + BAR_GAP,
-                };
-                bar.draw(&canvas, *side, &plots, at)?;
+            let (top, bottom) = (plot(0, 0).top, plot(rows - 1, 0).bottom);
+            let step = (bottom - top + BAR_GAP) / bars;
+            for (k, bar) in self.color_bars.iter().enumerate() {
+                let low = bottom - k as f64 * step;
+                bar.draw(&canvas, area.right + BAR_GAP, (low, low - step + BAR_GAP))?;
             }
-            draw_legend(&canvas, &legend_rows, 0.5 * page.right, legend_top)?;
+            legend::draw(&canvas, &legend, 0.5 * page.right, area.bottom + LABEL_GAP)?;
             canvas.present()
         };
         draw().map_err(|error| FigureError::Drawing(error.to_string()))
-    }
-}
-
-/// Draws the rows of a legend, each centred.
-fn draw_legend<DB: DrawingBackend>(
-    canvas: &Canvas<DB>,
-    rows: &[(f64, Vec<&legend::Entry>)],
-    middle: f64,
-    top: f64,
-) -> Drawn<DB> {
-    let style = text::style(legend::SIZE, Color::BLACK, HPos::Left, VPos::Center);
-    for (k, (wide, row)) in rows.iter().enumerate() {
-        let mut x = middle - 0.5 * (wide - legend::SAMPLE);
-        let y = (top + (k as f64 + 0.5) * legend::ROW).round() as i32;
-        for entry in row {
-            canvas.draw(&entry.sample().moved((x as i32, y)))?;
-            let at = x + legend::SAMPLE + legend::GAP;
-            canvas.draw_text(&entry.label, &style, (at as i32, y))?;
-            x += entry.width() + legend::SAMPLE;
-        }
-    }
-    Ok(())
-}
-
-/// The plots of all panels, aligned in rows and columns.
-struct Grid {
-    /// Where the plots of each column begin, with the margins.
-    columns: Vec<(f64, Margins)>,
-    rows: Vec<(f64, Margins)>,
-    width: f64,
-    height: f64,
-}
-
-impl Grid {
-    fn fit(
-        panels: &[Resolved],
-        rows: usize,
-        columns: usize,
-        area: &Rect,
-    ) -> Result<Grid, FigureError> {
-        let (mut width, mut height) =
-            (0.8 * area.width() / columns as f64, 0.8 * area.height() / rows as f64);
-        let mut grid = Grid { columns: Vec::new(), rows: Vec::new(), width, height };
-        // Margins depend on the ticks and these on the size: three rounds settle it.
-        for _ in 0..3 {
-            let mut across = vec![Margins::default(); columns];
-            let mut down = vec![Margins::default(); rows];
-            for (k, panel) in panels.iter().enumerate() {
-                let margins = panel.margins(width, height);
-                across[k % columns] = across[k % columns].max(margins);
-                down[k / columns] = down[k / columns].max(margins);
-            }
-            let sides: f64 = across.iter().map(|m| m.left + m.right).sum();
-            let ends: f64 = down.iter().map(|m| m.top + m.bottom).sum();
-            width = (area.width() - sides - PANEL_GAP * (columns - 1) as f64) / columns as f64;
-            height = (area.height() - ends - PANEL_GAP * (rows - 1) as f64) / rows as f64;
-            if !(width >= 30.0 * POINT && height >= 30.0 * POINT) {
-                let (width, height) = (width / POINT, height / POINT);
-                return Err(FigureError::TooSmall { width, height });
-            }
-            // Each begins where the last one and its margins end.
-            let placed =
-                |margins: Vec<Margins>, start: f64, step: f64, ends: fn(&Margins) -> [f64; 2]| {
-                    let mut next = start;
-                    let place = |m: Margins| {
-                        let first = next + ends(&m)[0];
-                        next = first + step + ends(&m)[1] + PANEL_GAP;
-                        (first, m)
-                    };
-                    margins.into_iter().map(place).collect()
-                };
-            grid = Grid {
-                columns: placed(across, area.left, width, |m| [m.left, m.right]),
-                rows: placed(down, area.top, height, |m| [m.top, m.bottom]),
-                width,
-                height,
-            };
-        }
-        Ok(grid)
-    }
-
-    fn plot(&self, row: usize, column: usize) -> Rect {
-        let (left, top) = (self.columns[column].0, self.rows[row].0);
-        Rect { left, top, right: left + self.width, bottom: top + self.height }
-    }
-
-    fn margins(&self, row: usize, column: usize) -> Margins {
-        let (beside, around) = (self.columns[column].1, self.rows[row].1);
-        Margins { top: around.top, bottom: around.bottom, ..beside }
     }
 }
 

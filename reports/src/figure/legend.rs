@@ -1,117 +1,107 @@
-//! Legends: the names of layers beside samples of their look.
+//! The legend below all panels: names of layers beside samples of their look. Plotters' own has but one column in a
+//! corner of one plot, and measures its text without the font.
 
 use super::{
     color::Color,
     geometry::Rect,
-    layer::{Layer, Markers, Region},
-    paint,
-    picture::{Pen, Picture},
+    layer::Layer,
+    paint::{self, Canvas, Drawn, Pen},
     text::{self, POINT},
 };
-
-/// The corner of a panel in which its legend stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Corner {
-    /// Upper left.
-    TopLeft,
-    /// Upper right.
-    TopRight,
-    /// Lower left.
-    BottomLeft,
-    /// Lower right.
-    BottomRight,
-}
+use plotters::style::text_anchor::{HPos, VPos};
+use plotters_backend::DrawingBackend;
 
 /// Size of the names, in points.
-pub(super) const SIZE: f64 = 7.8;
+const SIZE: f64 = 7.8;
 /// From line to line.
 pub(super) const ROW: f64 = 1.55 * SIZE * POINT;
-/// Length of a sample.
-pub(super) const SAMPLE: f64 = 20.0 * POINT;
+/// Length of a sample, and of the room between entries.
+const SAMPLE: f64 = 20.0 * POINT;
 /// From sample to name.
-pub(super) const GAP: f64 = 4.0 * POINT;
+const GAP: f64 = 4.0 * POINT;
 
-/// One line of a legend.
-#[derive(Debug, Clone)]
-pub(super) struct Entry {
-    pub(super) label: String,
-    line: Option<Pen>,
-    markers: Option<Markers>,
-    region: Option<Region>,
-}
+/// A name and the layers that bear it.
+pub(super) type Entry<'a> = (&'a str, Vec<&'a Layer>);
 
-impl Entry {
-    pub(super) fn width(&self) -> f64 {
-        SAMPLE + GAP + text::width(&self.label, SIZE * POINT)
-    }
-
-    /// The look of the layers, in the middle of whose left side the picture has its place.
-    pub(super) fn sample(&self) -> Picture {
-        let mut picture = Picture::default();
-        if let Some(region) = &self.region {
-            let half = 0.4 * SIZE * POINT;
-            let patch = Rect { left: 0.0, top: -half, right: SAMPLE, bottom: half };
-            paint::patch(&mut picture, patch.corners(), region);
-            picture.outline(&patch.corners(), Pen::solid(Color::GREY, 0.4));
-        }
-        if let Some(pen) = self.line {
-            picture.stroke(&[[0.0, 0.0], [SAMPLE, 0.0]], pen);
-        }
-        if let Some(markers) = &self.markers {
-            paint::marker(&mut picture, [0.5 * SAMPLE, 0.0], markers);
-        }
-        picture
-    }
-}
-
-/// The entries of named layers; layers of the same name share one.
-pub(super) fn entries<'a>(layers: impl IntoIterator<Item = &'a Layer>) -> Vec<Entry> {
+/// The entries of named layers as rows no wider than `room`; layers of the same name share one.
+pub(super) fn rows<'a>(
+    layers: impl IntoIterator<Item = &'a Layer>,
+    room: f64,
+) -> Vec<Vec<Entry<'a>>> {
     let mut entries: Vec<Entry> = Vec::new();
     for layer in layers {
-        let pen = |color, width, dash| Some(Pen { color, width, dash });
-        let (label, line, markers, region) = match layer {
-            Layer::Line(l) => (&l.label, pen(l.color, l.width, l.dash), None, None),
-            Layer::Rule(l) => (&l.label, pen(l.color, l.width, l.dash), None, None),
-            Layer::Markers(m) => (&m.label, None, Some(m), None),
-            Layer::Region(r) => (&r.label, None, None, Some(r)),
-            _ => continue,
+        let label = match layer {
+            Layer::Line(l) => &l.label,
+            Layer::Markers(l) => &l.label,
+            Layer::FilledContours(l) => &l.label,
+            Layer::Isolines(l) => &l.label,
+            Layer::Note(_) => continue,
         };
-        if label.is_empty() {
-            continue;
+        match entries.iter_mut().find(|entry| entry.0 == label) {
+            _ if label.is_empty() => {}
+            Some(entry) => entry.1.push(layer),
+            None => entries.push((label, vec![layer])),
         }
-        let known = entries.iter().position(|e| e.label == *label).unwrap_or_else(|| {
-            let label = label.clone();
-            entries.push(Entry { label, line: None, markers: None, region: None });
-            entries.len() - 1
-        });
-        let entry = &mut entries[known];
-        entry.line = entry.line.or(line);
-        entry.markers = entry.markers.take().or(markers.cloned());
-        entry.region = entry.region.take().or(region.cloned());
     }
-    entries
-}
-
-/// The entries as rows no wider than `width`, and what each needs with the room before the next.
-pub(super) fn rows(entries: &[Entry], width: f64) -> Vec<(f64, Vec<&Entry>)> {
-    let mut rows: Vec<(f64, Vec<&Entry>)> = Vec::new();
+    let mut rows: Vec<Vec<Entry>> = Vec::new();
     for entry in entries {
-        let needed = entry.width() + SAMPLE;
         match rows.last_mut() {
-            Some((used, row)) if *used + needed <= width + SAMPLE => {
-                *used += needed;
-                row.push(entry);
-            }
-            _ => rows.push((needed, vec![entry])),
+            Some(row) if width(row) + width(&[entry.clone()]) <= room + SAMPLE => row.push(entry),
+            _ => rows.push(vec![entry]),
         }
     }
     rows
 }
 
+/// What entries need, each with the room before the next.
+fn width(row: &[Entry]) -> f64 {
+    row.iter().map(|entry| 2.0 * SAMPLE + GAP + text::width(entry.0, SIZE * POINT)).sum()
+}
+
+/// Draws rows from `top` down, each centred on `middle`.
+pub(super) fn draw<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    rows: &[Vec<Entry>],
+    middle: f64,
+    top: f64,
+) -> Drawn<DB> {
+    let style = text::style(SIZE, Color::BLACK, HPos::Left, VPos::Center);
+    for (k, row) in rows.iter().enumerate() {
+        let y = top + (k as f64 + 0.5) * ROW;
+        for (n, (label, layers)) in row.iter().enumerate() {
+            let x = middle - 0.5 * (width(row) - SAMPLE) + width(&row[..n]);
+            for layer in layers {
+                sample(canvas, layer, [x, y])?;
+            }
+            canvas.draw_text(label, &style, paint::unit([x + SAMPLE + GAP, y]))?;
+        }
+    }
+    Ok(())
+}
+
+/// The look of a layer, to the right of a place.
+fn sample<DB: DrawingBackend>(canvas: &Canvas<DB>, layer: &Layer, [x, y]: [f64; 2]) -> Drawn<DB> {
+    let line = [[x, y], [x + SAMPLE, y]];
+    match layer {
+        Layer::Line(l) => {
+            paint::stroke(canvas, &line, Pen { color: l.color, width: l.width, dash: l.dash })
+        }
+        Layer::Isolines(l) => paint::stroke(canvas, &line, Pen::solid(l.color, l.width)),
+        Layer::Markers(m) => paint::marker(canvas, [x + 0.5 * SAMPLE, y], m),
+        Layer::FilledContours(l) => {
+            let half = 0.4 * SIZE * POINT;
+            let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
+            paint::fill(canvas, &[patch.corners()], l.bands.colors[0])?;
+            paint::outline(canvas, &patch.corners(), Pen::solid(Color::GREY, 0.4))
+        }
+        Layer::Note(_) => Ok(()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::{Line, Marker, Rule};
+    use crate::figure::{Line, Marker, Markers};
 
     #[test]
     fn layers_of_one_name_share_an_entry() {
@@ -119,13 +109,13 @@ mod tests {
             Line::new([]).label("a").into(),
             Markers::new([], Marker::Circle).label("a").into(),
             Line::new([]).into(),
-            Rule::vertical(1.0).label("b").into(),
+            Line::vertical(1.0).label("b").into(),
         ];
-        let entries = entries(&layers);
-        assert_eq!(entries.len(), 2);
-        assert!(entries[0].line.is_some() && entries[0].markers.is_some());
+        let rows = |room: f64| -> Vec<Vec<usize>> {
+            let rows = rows(&layers, room).into_iter();
+            rows.map(|row| row.iter().map(|entry| entry.1.len()).collect()).collect()
+        };
         // Each row holds at least one entry, however narrow the page.
-        assert_eq!(rows(&entries, 1.0).len(), 2);
-        assert_eq!(rows(&entries, 1e6).len(), 1);
+        assert_eq!((rows(1.0), rows(1e6)), (vec![vec![2], vec![1]], vec![vec![2, 1]]));
     }
 }

@@ -1,23 +1,20 @@
 //! Figures for papers and reports: plain data in, PNG (300 dpi) or SVG out, in memory.
 //!
 //! A [`Figure`] is a grid of [`Panel`]s; a panel has two [`Axis`] and layers in data coordinates: [`Line`], [`Markers`],
-//! [`ErrorBars`], [`Rule`], [`Region`], [`FilledContours`], [`Isolines`], [`Note`]. Sizes are in points (1/72 inch) on the
-//! printed page.
+//! [`FilledContours`], [`Isolines`], [`Note`]. Sizes are in points (1/72 inch) on the printed page.
 //!
-//! Axes, ticks, meshes and legends are those of [plotters], drawn on a canvas in units of a twentieth of a point: as SVG by
-//! its own backend, as PNG by one over tiny-skia. The result depends on nothing but the data: equal figures give equal
-//! bytes.
+//! [plotters] draws, on a canvas in units of a twentieth of a point: as SVG by its own backend, as PNG by one over
+//! tiny-skia. The result depends on nothing but the data: equal figures give equal bytes.
 //!
 //! ```
-//! use courant_reports::figure::{Axis, Corner, Figure, Line, Marker, Markers, Panel};
+//! use courant_reports::figure::{Axis, Figure, Line, Marker, Markers, Panel};
 //!
 //! let h = [0.1, 0.05, 0.025];
 //! let error = [4e-3, 1e-3, 2.5e-4];
 //! let panel = Panel::new(Axis::log("h"), Axis::log("error"))
-//!     .layer(Line::xy(&h, &error).label("run"))
-//!     .layer(Markers::new(h.into_iter().zip(error), Marker::Circle).label("run"))
-//!     .legend(Corner::TopLeft);
-//! let figure = Figure::single(panel).size(3.5, 2.6);
+//!     .layer(Line::new(h.into_iter().zip(error)).label("run"))
+//!     .layer(Markers::new(h.into_iter().zip(error), Marker::Circle).label("run"));
+//! let figure = Figure::single(panel).size(3.5, 2.6).legend_below();
 //! assert!(figure.svg()?.starts_with("<svg"));
 //! assert_eq!(&figure.png()?[1..4], b"PNG");
 //! # Ok::<(), courant_reports::figure::FigureError>(())
@@ -26,32 +23,47 @@
 mod axis;
 mod color;
 mod color_bar;
-mod colormap;
-mod contour;
-mod error;
+mod field;
 mod geometry;
+mod isoline_label;
 mod layer;
 mod layout;
 mod legend;
-mod line_label;
-mod number;
 mod paint;
 mod panel;
-mod picture;
 mod raster;
 mod text;
-mod vector;
 
 pub use axis::Axis;
-pub use color::Color;
-pub use color_bar::{ColorBar, Side};
-pub use colormap::{Bands, ColorMap};
-pub use contour::Field;
-pub use error::FigureError;
-pub use layer::{
-    Anchor, Dash, ErrorBars, FilledContours, Isolines, Layer, Line, Marker, Markers, Note, Region,
-    Rule,
-};
+pub use color::{Bands, Color, ColorMap};
+pub use color_bar::ColorBar;
+pub use field::Field;
+pub use layer::{Dash, FilledContours, Isolines, Layer, Line, Marker, Markers, Note};
 pub use layout::Figure;
-pub use legend::Corner;
 pub use panel::Panel;
+
+/// Why a figure, or a part of it, cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+pub enum FigureError {
+    /// The parts of a field do not fit together.
+    #[error("a field needs finite ascending nodes, two at least each way, and a value for each")]
+    Field,
+    /// The parts of a colour scale do not fit together.
+    #[error("bands need finite ascending edges, two at least, and a colour between each two")]
+    Bands,
+    /// An axis range is empty, not finite, or not positive on a logarithmic axis: label and ends.
+    #[error("axis '{0}' cannot have the range {1} to {2}")]
+    AxisRange(String, f64, f64),
+    /// There is no panel, or there are more than cells in the grid: panels, rows and columns.
+    #[error("{0} panels in a grid of {1} x {2}")]
+    PanelCount(usize, usize, usize),
+    /// Labels leave no room for the panels: width and height left for one, in points.
+    #[error("no room for the panels: {0:.0} x {1:.0} points each")]
+    TooSmall(f64, f64),
+    /// The PNG encoder failed.
+    #[error("cannot encode the PNG: {0}")]
+    Png(#[from] png::EncodingError),
+    /// The drawing library failed.
+    #[error("cannot draw: {0}")]
+    Drawing(String),
+}

@@ -1,236 +1,257 @@
-//! Layers on the page: from data coordinates to shapes.
+//! From data coordinates to the page: strokes, areas, markers, letters, and the layers made of them.
 
 use super::{
-    axis::AxisRange,
+    axis::Axis,
     color::Color,
-    contour::Field,
-    geometry::{self, Point, Rect, clip_polygon, clip_polyline, simplify},
-    layer::{
-        Anchor, ErrorBars, FilledContours, Isolines, Layer, Line, Marker, Markers, Region, Rule,
-    },
-    line_label::Obstacles,
-    number::format_number,
-    picture::{Pen, Picture},
+    field::Field,
+    geometry::{Point, Rect, clip, distance, simplify},
+    isoline_label::Obstacles,
+    layer::{Dash, FilledContours, Isolines, Layer, Line, Marker, Markers},
     text::{self, POINT},
 };
+use crate::number::format_number;
+use plotters::{
+    coord::Shift,
+    drawing::{DrawingArea, DrawingAreaErrorKind},
+    element::{Circle, DashedPathElement, PathElement, Polygon},
+    style::{Color as _, ShapeStyle},
+};
+use plotters_backend::{BackendCoord, DrawingBackend};
+
+/// What is drawn on, in units of a twentieth of a point.
+pub(super) type Canvas<DB> = DrawingArea<DB, Shift>;
+/// Whether the backend could draw.
+pub(super) type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
 
 /// Points of curves closer than this to their neighbours' chord are left out: 0.01 point.
 const TOLERANCE: f64 = 0.01 * POINT;
-/// Distance of hatch strokes in points, and their width.
-const HATCH: (f64, f64) = (6.5, 0.35);
-const ISOLINE_SIZE: f64 = 6.8;
+pub(super) const ISOLINE_SIZE: f64 = 6.8;
 const NOTE_SIZE: f64 = 7.5;
 
-/// Where data lie on the page.
-#[derive(Debug, Clone)]
-pub(super) struct Frame {
-    pub(super) rect: Rect,
-    pub(super) x: AxisRange,
-    pub(super) y: AxisRange,
+/// How a line is drawn; the width in points.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pen {
+    pub(super) color: Color,
+    pub(super) width: f64,
+    pub(super) dash: Dash,
 }
 
-impl Frame {
-    pub(super) fn x_at(&self, x: f64) -> f64 {
-        self.rect.left + self.x.fraction(x) * self.rect.width()
+impl Pen {
+    pub(super) fn solid(color: Color, width: f64) -> Pen {
+        Pen { color, width, dash: Dash::Solid }
     }
 
-    pub(super) fn y_at(&self, y: f64) -> f64 {
-        self.rect.bottom - self.y.fraction(y) * self.rect.height()
-    }
-
-    pub(super) fn at(&self, p: Point) -> Point {
-        [self.x_at(p[0]), self.y_at(p[1])]
-    }
-
-    /// The nodes of a field on the page, where contours are drawn straight from side to side of its cells.
-    fn nodes(&self, field: &Field) -> (Vec<f64>, Vec<f64>) {
-        let x = field.x().iter().map(|&x| self.x_at(x)).collect();
-        (x, field.y().iter().map(|&y| self.y_at(y)).collect())
-    }
-
-    /// The lines of one value of a field, within the panel.
-    pub(super) fn isolines(&self, field: &Field, level: f64) -> Vec<Vec<Point>> {
-        let (x, y) = self.nodes(field);
-        let lines = field.on(&x, &y).isolines(level);
-        lines.iter().flat_map(|l| clip_polyline(&simplify(l, TOLERANCE), &self.rect)).collect()
+    pub(super) fn style(self) -> ShapeStyle {
+        // At least one unit: of width 0 is a line that cannot be seen.
+        self.color.plotters().stroke_width((self.width * POINT).round().max(1.0) as u32)
     }
 }
 
-/// The layers in order.
-pub(super) fn layers(frame: &Frame, layers: &[Layer]) -> Picture {
-    let mut picture = Picture::default();
-    let mut labels = Obstacles::new(frame, layers);
-    for layer in layers {
-        match layer {
-            Layer::Line(line) => curve(&mut picture, frame, line),
-            Layer::Markers(markers) => {
-                let inside = |p: &Point| frame.rect.grown(0.5).contains(*p);
-                let places = markers.points.iter().map(|&p| frame.at(p)).filter(inside);
-                places.for_each(|at| marker(&mut picture, at, markers));
-            }
-            Layer::ErrorBars(bars) => error_bars(&mut picture, frame, bars),
-            Layer::Rule(line) => rule(&mut picture, frame, line),
-            Layer::Region(area) => region(&mut picture, frame, area),
-            Layer::FilledContours(contours) => bands(&mut picture, frame, contours),
-            Layer::Isolines(lines) => isolines(&mut picture, frame, lines, &mut labels),
-            Layer::Note(note) => {
-                let at = frame.at(note.at);
-                if at.iter().all(|v| v.is_finite()) {
-                    let look = (note.anchor, 0.0, note.color);
-                    picture.text(&note.text, at, NOTE_SIZE, look, 0.3 * NOTE_SIZE);
-                }
-            }
+pub(super) fn unit(p: Point) -> BackendCoord {
+    (p[0].round() as i32, p[1].round() as i32)
+}
+
+/// Draws a polyline.
+pub(super) fn stroke<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    line: &[Point],
+    pen: Pen,
+) -> Drawn<DB> {
+    let points = line.iter().copied().map(unit);
+    match pen.dash.pattern() {
+        None => canvas.draw(&PathElement::new(points.collect::<Vec<_>>(), pen.style())),
+        Some(lengths) => {
+            let [dash, gap] = lengths.map(|l| (l * pen.width.max(0.8) * POINT) as i32);
+            canvas.draw(&DashedPathElement::new(points, dash, gap, pen.style()))
         }
     }
-    picture
 }
 
-fn curve(picture: &mut Picture, frame: &Frame, line: &Line) {
-    let points: Vec<Point> = line.points.iter().map(|&p| frame.at(p)).collect();
-    let pen = Pen { color: line.color, width: line.width, dash: line.dash };
-    for piece in clip_polyline(&points, &frame.rect) {
-        picture.stroke(&simplify(&piece, TOLERANCE), pen);
+/// Draws a polygon's outline.
+pub(super) fn outline<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    ring: &[Point],
+    pen: Pen,
+) -> Drawn<DB> {
+    // Past the first corner, which is joined so too.
+    let closed: Vec<Point> = ring.iter().chain(ring.iter().take(2)).copied().collect();
+    stroke(canvas, &closed, pen)
+}
+
+/// Paints the inside of rings; the way to a further ring and back encloses nothing.
+pub(super) fn fill<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    rings: &[Vec<Point>],
+    color: Color,
+) -> Drawn<DB> {
+    let mut points = Vec::new();
+    for ring in rings.iter().filter(|ring| !ring.is_empty()) {
+        points.extend(ring.iter().chain(ring.first()).map(|&p| unit(p)));
+        points.push(points[0]);
     }
+    canvas.draw(&Polygon::new(points, color.plotters()))
 }
 
-/// One marker at a place of the page. Sizes are such that all forms weigh about the same.
-pub(super) fn marker(picture: &mut Picture, at: Point, markers: &Markers) {
+/// Draws one marker. Sizes are such that all forms weigh about the same.
+pub(super) fn marker<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    at: Point,
+    markers: &Markers,
+) -> Drawn<DB> {
     let r = 0.5 * markers.size * POINT;
     let pen = Pen::solid(markers.color, markers.width);
     let ring = |corners: &[Point]| -> Vec<Point> {
         corners.iter().map(|c| [at[0] + r * c[0], at[1] + r * c[1]]).collect()
     };
     let corners = match markers.marker {
-        Marker::Circle => return picture.circle(at, r, markers.fill, pen),
-        Marker::Cross => {
-            let d = 0.85;
-            picture.stroke(&ring(&[[-d, -d], [d, d]]), pen);
-            return picture.stroke(&ring(&[[-d, d], [d, -d]]), pen);
+        Marker::Circle => {
+            if let Some(color) = markers.fill {
+                canvas.draw(&Circle::new(unit(at), r, color.plotters().filled()))?;
+            }
+            return canvas.draw(&Circle::new(unit(at), r, pen.style()));
         }
-        Marker::Plus => {
-            let d = 1.1;
-            picture.stroke(&ring(&[[-d, 0.0], [d, 0.0]]), pen);
-            return picture.stroke(&ring(&[[0.0, -d], [0.0, d]]), pen);
+        Marker::Cross | Marker::Plus => {
+            let (d, e) = if markers.marker == Marker::Plus { (1.1, 0.0) } else { (0.85, 0.85) };
+            stroke(canvas, &ring(&[[-d, -e], [d, e]]), pen)?;
+            return stroke(canvas, &ring(&[[-e, d], [e, -d]]), pen);
         }
         Marker::Square => ring(&[[-0.88, -0.88], [0.88, -0.88], [0.88, 0.88], [-0.88, 0.88]]),
         Marker::Triangle => ring(&[[0.0, -1.25], [1.1, 0.7], [-1.1, 0.7]]),
         Marker::Diamond => ring(&[[0.0, -1.25], [1.25, 0.0], [0.0, 1.25], [-1.25, 0.0]]),
     };
-    if let Some(fill) = markers.fill {
-        picture.fill(std::slice::from_ref(&corners), fill, 1.0);
+    if let Some(color) = markers.fill {
+        fill(canvas, std::slice::from_ref(&corners), color)?;
     }
-    if markers.width > 0.0 {
-        picture.outline(&corners, pen);
+    outline(canvas, &corners, pen)
+}
+
+/// Draws a black text of `size` points centred on a point, at an angle in radians; a white border around its letters sets
+/// it off from what is below.
+fn letters<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    text: &str,
+    size: f64,
+    (at, angle): (Point, f64),
+) -> Drawn<DB> {
+    let em = size * POINT;
+    let (back, down) = (0.5 * text::width(text, em), 0.5 * text::CAP_HEIGHT * em);
+    let (sin, cos) = angle.sin_cos();
+    let origin = [at[0] - back * cos + down * sin, at[1] + back * sin + down * cos];
+    let rings = text::rings(text, origin, em, angle);
+    let border = Pen::solid(Color::WHITE, 0.28 * size);
+    rings.iter().try_for_each(|ring| outline(canvas, ring, border))?;
+    fill(canvas, &rings, Color::BLACK)
+}
+
+/// Where data lie on the page.
+pub(super) struct Frame<'a> {
+    pub(super) rect: Rect,
+    pub(super) x: &'a Axis,
+    pub(super) y: &'a Axis,
+}
+
+impl Frame<'_> {
+    pub(super) fn at(&self, [x, y]: Point) -> Point {
+        let (across, up) = (self.x.fraction(x), self.y.fraction(y));
+        [self.rect.left + across * self.rect.width(), self.rect.bottom - up * self.rect.height()]
+    }
+
+    /// A curve on the page, within the panel.
+    pub(super) fn curve(&self, points: &[Point]) -> Vec<Vec<Point>> {
+        let Rect { left, top, right, bottom } = self.rect;
+        let on_page: Vec<Point> = points.iter().map(|&p| self.at(p)).collect();
+        let lines = match on_page[..] {
+            // Across the panel.
+            [[x, y]] if y.is_nan() => clip(&[[x, bottom], [x, top]], &self.rect),
+            [[x, y]] if x.is_nan() => clip(&[[left, y], [right, y]], &self.rect),
+            _ => clip(&on_page, &self.rect),
+        };
+        lines.iter().map(|line| simplify(line, TOLERANCE)).collect()
+    }
+
+    /// A field on the page, where contours are drawn straight from side to side of its cells.
+    fn field(&self, field: &Field) -> Field {
+        let Rect { left, top, right, bottom } = self.rect;
+        let x = field.x.iter().map(|&x| self.at([x, f64::NAN])[0].clamp(left, right)).collect();
+        field.on(x, field.y.iter().map(|&y| self.at([f64::NAN, y])[1].clamp(top, bottom)).collect())
+    }
+
+    /// The lines of one value of a field, without specks: islands no larger than a letter.
+    pub(super) fn isolines(&self, field: &Field, level: f64) -> Vec<Vec<Point>> {
+        let lines = self.field(field).isolines(level);
+        let far = |line: &&Vec<Point>| line.iter().any(|&p| distance(p, line[0]) > 6.0 * POINT);
+        lines.iter().filter(far).map(|line| simplify(line, TOLERANCE)).collect()
     }
 }
 
-fn error_bars(picture: &mut Picture, frame: &Frame, bars: &ErrorBars) {
-    const CAP: f64 = 2.0 * POINT;
-    let pen = Pen::solid(bars.color, 0.8);
-    for &[x, low, high] in &bars.bars {
-        let (a, b) = (frame.at([x, low]), frame.at([x, high]));
-        for piece in clip_polyline(&[a, b], &frame.rect) {
-            picture.stroke(&piece, pen);
+/// Draws layers in order.
+pub(super) fn layers<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    frame: &Frame,
+    layers: &[Layer],
+) -> Drawn<DB> {
+    let mut labels = Obstacles::new(frame, layers);
+    for layer in layers {
+        match layer {
+            Layer::Line(Line { points, color, width, dash, .. }) => {
+                let pen = Pen { color: *color, width: *width, dash: *dash };
+                frame.curve(points).iter().try_for_each(|piece| stroke(canvas, piece, pen))?;
+            }
+            Layer::Markers(markers) => {
+                let places = markers.points.iter().map(|&p| frame.at(p));
+                for at in places.filter(|&at| frame.rect.grown(0.5).contains(at)) {
+                    marker(canvas, at, markers)?;
+                }
+            }
+            Layer::FilledContours(contours) => bands(canvas, frame, contours)?,
+            Layer::Isolines(lines) => isolines(canvas, frame, lines, &mut labels)?,
+            Layer::Note(note) => {
+                letters(canvas, &note.text, NOTE_SIZE, (frame.at(note.at), 0.0))?;
+            }
         }
-        for end in [a, b].into_iter().filter(|&end| frame.rect.contains(end)) {
-            picture.stroke(&[[end[0] - CAP, end[1]], [end[0] + CAP, end[1]]], pen);
-        }
     }
-}
-
-fn rule(picture: &mut Picture, frame: &Frame, rule: &Rule) {
-    let Rect { left, top, right, bottom } = frame.rect;
-    let ends = if rule.vertical {
-        let x = frame.x_at(rule.at);
-        [[x, bottom], [x, top]]
-    } else {
-        let y = frame.y_at(rule.at);
-        [[left, y], [right, y]]
-    };
-    let pen = Pen { color: rule.color, width: rule.width, dash: rule.dash };
-    clip_polyline(&ends, &frame.rect).iter().for_each(|piece| picture.stroke(piece, pen));
-}
-
-fn region(picture: &mut Picture, frame: &Frame, region: &Region) {
-    // Infinite coordinates, and zero on a logarithmic axis, lie one panel beyond the border.
-    let place = |fraction: f64, value: f64| match fraction.is_finite() {
-        true => fraction.clamp(-1e6, 1e6),
-        false if value > 0.0 => 2.0,
-        false => -1.0,
-    };
-    let r = frame.rect;
-    let on_page = |p: &Point| {
-        let x = r.left + place(frame.x.fraction(p[0]), p[0]) * r.width();
-        [x, r.bottom - place(frame.y.fraction(p[1]), p[1]) * r.height()]
-    };
-    let outline: Vec<Point> = region.outline.iter().map(on_page).collect();
-    patch(picture, clip_polygon(&outline, &r), region);
-}
-
-/// An area of the page in the look of a region.
-pub(super) fn patch(picture: &mut Picture, outline: Vec<Point>, region: &Region) {
-    let strokes = region.hatch.map(|color| (geometry::hatch(&outline, HATCH.0 * POINT), color));
-    if let Some((fill, opacity)) = region.fill {
-        picture.fill(&[outline], fill, opacity);
-    }
-    if let Some((strokes, color)) = strokes {
-        strokes.iter().for_each(|stroke| picture.stroke(stroke, Pen::solid(color, HATCH.1)));
-    }
+    Ok(())
 }
 
 /// Each band is painted from its lower edge all the way up and the next one over it: neighbours overlap, so no seam of
 /// background can show between them.
-fn bands(picture: &mut Picture, frame: &Frame, contours: &FilledContours) {
-    let FilledContours { field, bands } = contours;
-    let (x, y) = frame.nodes(field);
-    let trace = field.on(&x, &y);
-    let region = |level: f64| -> Vec<Vec<Point>> {
-        let rings = trace.region(level).into_iter().map(|mut ring| {
-            ring.push(ring[0]);
-            clip_polygon(&simplify(&ring, TOLERANCE), &frame.rect)
-        });
-        rings.filter(|ring| ring.len() > 2).collect()
-    };
-    let edges = bands.edges();
-    // The last edge belongs to the last band.
-    let above = region(edges[edges.len() - 1].next_up());
-    // What is not to be painted above the last edge is cut out of every region as a hole.
-    let hole: Vec<Vec<Point>> = match bands.above() {
-        Some(_) => Vec::new(),
-        None => above.iter().map(|ring| ring.iter().rev().copied().collect()).collect(),
-    };
-    let mut paint = |mut rings: Vec<Vec<Point>>, color: Color| {
+fn bands<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    frame: &Frame,
+    FilledContours { field, bands, .. }: &FilledContours,
+) -> Drawn<DB> {
+    let field = frame.field(field);
+    let last = bands.edges[bands.edges.len() - 1].next_up();
+    let below = bands.below.map(|color| (f64::NEG_INFINITY, color));
+    let inner = bands.edges.iter().copied().zip(bands.colors.iter().copied());
+    let above = bands.above.map(|color| (last, color));
+    let all = below.into_iter().chain(inner).chain(above);
+    for (level, color) in all {
+        let rings = field.region(level).into_iter();
+        let rings: Vec<_> = rings.map(|ring| simplify(&ring, TOLERANCE)).collect();
         if !rings.is_empty() {
-            rings.extend(hole.iter().cloned());
-            picture.fill(&rings, color, 1.0);
+            fill(canvas, &rings, color)?;
         }
-    };
-    if let Some(color) = bands.below() {
-        paint(region(f64::NEG_INFINITY), color);
     }
-    for (&edge, &color) in edges.iter().zip(bands.colors()) {
-        paint(region(edge), color);
-    }
-    if let Some(color) = bands.above() {
-        paint(above, color);
-    }
+    Ok(())
 }
 
-fn isolines(picture: &mut Picture, frame: &Frame, isolines: &Isolines, labels: &mut Obstacles) {
+fn isolines<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    frame: &Frame,
+    isolines: &Isolines,
+    labels: &mut Obstacles,
+) -> Drawn<DB> {
     let pen = Pen::solid(isolines.color, isolines.width);
-    let size = ISOLINE_SIZE * POINT;
     for &level in &isolines.levels {
         let value = format_number(level);
+        let width = text::width(&value, ISOLINE_SIZE * POINT);
         for line in frame.isolines(&isolines.field, level) {
-            let width = text::width(&value, size);
-            match isolines.labelled.then(|| labels.place(&line, width, size)).flatten() {
-                Some(place) => {
-                    place.rest.iter().for_each(|piece| picture.stroke(piece, pen));
-                    let look = (Anchor::Middle, place.angle, isolines.color);
-                    picture.text(&value, place.middle, ISOLINE_SIZE, look, 0.0);
-                }
-                None => picture.stroke(&line, pen),
+            stroke(canvas, &line, pen)?;
+            if let Some(place) = isolines.values.then(|| labels.place(&line, width)).flatten() {
+                letters(canvas, &value, ISOLINE_SIZE, place)?;
             }
         }
     }
+    Ok(())
 }

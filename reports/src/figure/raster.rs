@@ -1,13 +1,16 @@
 //! Plotters' backend for PNG: tiny-skia draws, antialiased.
 
-use super::{error::FigureError, text};
+use super::{FigureError, text};
+use plotters::style::{
+    FontTransform,
+    text_anchor::{HPos, VPos},
+};
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
 };
 use std::convert::Infallible;
-use tiny_skia::{
-    Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, Transform,
-};
+use std::f64::consts::{FRAC_PI_2, PI};
+use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
 
 /// Dots per inch.
 const DPI: f64 = 300.0;
@@ -20,14 +23,12 @@ pub(super) struct Raster<'a> {
     pixels: &'a mut Pixmap,
 }
 
-/// White pixels for a canvas of the given size in units.
+/// Pixels for a canvas of the given size in units.
 pub(super) fn pixels((width, height): (u32, u32)) -> Result<Pixmap, FigureError> {
     let dots = |units: u32| (f64::from(units) * DPI / UNITS).round() as u32;
-    let too_small =
-        FigureError::TooSmall { width: f64::from(width) / 20.0, height: f64::from(height) / 20.0 };
-    let mut pixels = Pixmap::new(dots(width), dots(height)).ok_or(too_small)?;
-    pixels.fill(Color::WHITE);
-    Ok(pixels)
+    let points = |units: u32| f64::from(units) / text::POINT;
+    let too_small = FigureError::TooSmall(points(width), points(height));
+    Pixmap::new(dots(width), dots(height)).ok_or(too_small)
 }
 
 /// The pixels as PNG with its physical size recorded.
@@ -57,30 +58,29 @@ impl Raster<'_> {
     }
 
     /// Paints a path, filled or as a line of the given width.
-    fn paint(&mut self, path: Option<Path>, color: BackendColor, width: Option<u32>) {
-        let Some(path) = path else { return };
+    fn paint(&mut self, path: Option<Path>, color: BackendColor, width: Option<u32>) -> Done {
+        let Some(path) = path else { return Ok(()) };
         let (red, green, blue) = color.rgb;
         let mut paint = Paint { anti_alias: true, ..Paint::default() };
         paint.set_color_rgba8(red, green, blue, (255.0 * color.alpha).round() as u8);
-        let scale = (DPI / UNITS) as f32;
-        let scale = Transform::from_scale(scale, scale);
-        match width {
+        let scale = Transform::from_scale((DPI / UNITS) as f32, (DPI / UNITS) as f32);
+        match width.map(|width| width as f32) {
             None => self.pixels.fill_path(&path, &paint, FillRule::Winding, scale, None),
             Some(width) => {
-                let stroke =
-                    Stroke { width: width as f32, line_join: LineJoin::Round, ..Stroke::default() };
+                let stroke = Stroke { width, line_join: LineJoin::Round, ..Stroke::default() };
                 self.pixels.stroke_path(&path, &paint, &stroke, scale, None);
             }
         }
+        Ok(())
     }
 }
 
-fn path(points: impl IntoIterator<Item = (f32, f32)>) -> PathBuilder {
+fn path(points: impl IntoIterator<Item = (f32, f32)>) -> Option<Path> {
     let mut path = PathBuilder::new();
     for (x, y) in points {
         if path.is_empty() { path.move_to(x, y) } else { path.line_to(x, y) }
     }
-    path
+    path.finish()
 }
 
 fn at(p: BackendCoord) -> (f32, f32) {
@@ -105,26 +105,12 @@ impl DrawingBackend for Raster<'_> {
     }
 
     fn draw_pixel(&mut self, (x, y): BackendCoord, color: BackendColor) -> Done {
-        let unit = Rect::from_xywh(x as f32, y as f32, 1.0, 1.0).map(PathBuilder::from_rect);
-        self.paint(unit, color, None);
-        Ok(())
+        let square = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(at);
+        self.paint(path(square), color, None)
     }
 
     fn draw_line<S: BackendStyle>(&mut self, a: BackendCoord, b: BackendCoord, style: &S) -> Done {
         self.draw_path([a, b], style)
-    }
-
-    fn draw_rect<S: BackendStyle>(
-        &mut self,
-        (left, top): BackendCoord,
-        (right, bottom): BackendCoord,
-        style: &S,
-        fill: bool,
-    ) -> Done {
-        let (a, b) = (at((left, top)), at((right, bottom)));
-        let rect = Rect::from_ltrb(a.0, a.1, b.0, b.1).map(PathBuilder::from_rect);
-        self.paint(rect, style.color(), (!fill).then(|| style.stroke_width()));
-        Ok(())
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
@@ -132,9 +118,7 @@ impl DrawingBackend for Raster<'_> {
         points: I,
         style: &S,
     ) -> Done {
-        let line = path(points.into_iter().map(at)).finish();
-        self.paint(line, style.color(), Some(style.stroke_width()));
-        Ok(())
+        self.paint(path(points.into_iter().map(at)), style.color(), Some(style.stroke_width()))
     }
 
     fn draw_circle<S: BackendStyle>(
@@ -146,8 +130,7 @@ impl DrawingBackend for Raster<'_> {
     ) -> Done {
         let (x, y) = at(centre);
         let circle = PathBuilder::from_circle(x, y, radius as f32);
-        self.paint(circle, style.color(), (!fill).then(|| style.stroke_width()));
-        Ok(())
+        self.paint(circle, style.color(), (!fill).then(|| style.stroke_width()))
     }
 
     fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
@@ -155,43 +138,45 @@ impl DrawingBackend for Raster<'_> {
         points: I,
         style: &S,
     ) -> Done {
-        self.paint(path(points.into_iter().map(at)).finish(), style.color(), None);
-        Ok(())
+        self.paint(path(points.into_iter().map(at)), style.color(), None)
     }
 
     fn draw_text<S: BackendTextStyle>(
         &mut self,
         letters: &str,
         style: &S,
-        place: BackendCoord,
+        (x, y): BackendCoord,
     ) -> Done {
-        let em = text::em(style);
-        let angle = text::turn(&style.transform());
-        let anchor = style.anchor();
-        let back = text::back(&anchor.h_pos) * text::width(letters, em);
-        let down = text::drop(&anchor.v_pos) * em;
+        let em = style.size() / text::SIZE_OVER_EM;
+        let angle = match style.transform() {
+            FontTransform::None => 0.0,
+            FontTransform::Rotate270 => FRAC_PI_2,
+            FontTransform::Rotate180 => PI,
+            FontTransform::Rotate90 => -FRAC_PI_2,
+        };
+        let back = text::width(letters, em)
+            * match style.anchor().h_pos {
+                HPos::Left => 0.0,
+                HPos::Center => 0.5,
+                HPos::Right => 1.0,
+            };
+        // Capitals hang from, are centred on and, with their descenders, stand on the place.
+        let down = em
+            * match style.anchor().v_pos {
+                VPos::Top => 0.76,
+                VPos::Center => 0.5 * text::CAP_HEIGHT,
+                VPos::Bottom => -text::DESCENT,
+            };
         let (sin, cos) = angle.sin_cos();
-        let origin = [
-            f64::from(place.0) - back * cos + down * sin,
-            f64::from(place.1) + back * sin + down * cos,
-        ];
+        let (x, y) = (f64::from(x), f64::from(y));
+        let origin = [x - back * cos + down * sin, y + back * sin + down * cos];
         let mut outlines = PathBuilder::new();
         for ring in text::rings(letters, origin, em, angle) {
-            let ring = ring.into_iter().map(|p| (p[0] as f32, p[1] as f32));
-            if let Some(ring) = path(ring).finish() {
+            if let Some(ring) = path(ring.into_iter().map(|p| (p[0] as f32, p[1] as f32))) {
                 outlines.push_path(&ring);
                 outlines.close();
             }
         }
-        self.paint(outlines.finish(), style.color(), None);
-        Ok(())
-    }
-
-    fn estimate_text_size<S: BackendTextStyle>(
-        &self,
-        text: &str,
-        style: &S,
-    ) -> Result<(u32, u32), DrawingErrorKind<Infallible>> {
-        Ok(text::extent(text, style))
+        self.paint(outlines.finish(), style.color(), None)
     }
 }

@@ -93,10 +93,10 @@ fn against_direction(cases: &[Case], looks: &[(usize, usize)]) -> Vec<DirectionC
                 Some((angle, physical.waves))
             })
             .collect();
-        let of = move |(dash, wavelength): (usize, f64)| {
-            let place = WAVELENGTHS.len() - 1 - dash;
+        let of = move |(rank, wavelength): (usize, f64)| {
+            let place = WAVELENGTHS.len() - 1 - rank;
             let waves = found.iter().map(|(angle, waves)| (*angle, waves[place])).collect();
-            DirectionCurve { color: look.0, dash, wavelength, waves }
+            DirectionCurve { color: look.0, rank, wavelength, waves }
         };
         WAVELENGTHS.into_iter().enumerate().map(of).collect::<Vec<_>>()
     });

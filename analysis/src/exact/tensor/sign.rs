@@ -62,14 +62,14 @@ pub(crate) fn cuts_of_cube(polynomial: &Tensor, budget: usize) -> (CubeSign, Vec
         {
             return (CubeSign::NegativeAt(point), cuts);
         }
-        if cuts.len() + pending.len() >= budget {
-            return (CubeSign::Undecided, cuts);
-        }
         let zeros: Vec<usize> = corners.filter(|&corner| value(corner).is_zero()).collect();
         let resolution = match zeros.as_slice() {
             [] => Resolution::Halve(widest(&cube)),
             [corner, rest @ ..] => blow_up(&cube, &origin, *corner, rest),
         };
+        if cuts.len() + pending.len() + resolution.parts() > budget {
+            return (CubeSign::Undecided, cuts);
+        }
         let cut = cuts.last_mut().expect("one was just pushed");
         match resolution {
             Resolution::Charts(flipped, axes, parts) => {
@@ -114,6 +114,17 @@ enum Resolution {
     Halve(usize),
     /// Charts within charts without end.
     TooDeep,
+}
+
+impl Resolution {
+    /// How many cubes take the place of one.
+    fn parts(&self) -> usize {
+        match self {
+            Self::Charts(_, _, parts) => parts.len(),
+            Self::Halve(_) => 2,
+            Self::TooDeep => 0,
+        }
+    }
 }
 
 /// The charts about the face through a zero corner on which the polynomial vanishes; for a single axis that is a factor.

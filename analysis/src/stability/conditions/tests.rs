@@ -1,5 +1,8 @@
 use super::*;
 use crate::exact::laurent::VARIABLES;
+use crate::exact::rational::{integer, ratio};
+use crate::scheme::Step;
+use crate::stability::{Evidence, PointVerdict, decide_step_at};
 use num_bigint::BigInt;
 use num_complex::Complex64;
 use proptest::prelude::*;
@@ -116,7 +119,7 @@ fn a_product_of_multipliers_on_the_circle_leaves_one_outside() {
 }
 
 fn conditions_of(text: &str) -> Conditions {
-    let step = crate::scheme::Step::from_text(text).unwrap();
+    let step = Step::from_text(text).unwrap();
     let chi = step.characteristic().unwrap();
     Conditions::new(&chi, &Rational::from_integer(0.into()), step.names())
 }
@@ -151,4 +154,29 @@ fn squares_are_taken_out_and_kept() {
         assert_eq!(one.polynomial.odd_part(), one.polynomial, "{:?}", one.condition);
     }
     assert!(two.requirements.iter().any(|one| one.square.as_constant().is_none()));
+}
+
+#[test]
+fn a_condition_that_vanishes_for_these_square_roots_alone_decides_nothing() {
+    // √2 √3 = √6: the first multiplier lies on the circle, which polynomials in three square roots do not see.
+    let shift = "sqrt(2)*sqrt(3)*u[n+1,j] = sqrt(6)*u[n,j-1]";
+    let beside = "w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1])";
+    assert!(conditions_of(&format!("{shift}; {beside}")).undecided);
+    assert!(
+        !conditions_of(&format!("{}; {beside}", shift.replace("sqrt(2)*sqrt(3)", "sqrt(6)")))
+            .undecided
+    );
+    for dimension in [1, 2] {
+        let text = match dimension {
+            1 => format!("{shift}; {beside}"),
+            _ => format!("{shift}; {beside}").replace(",j", ",i,j"),
+        };
+        let step = Step::from_text(&text).unwrap();
+        let set = step.stable_set("C", &Default::default()).unwrap();
+        assert_eq!((set.evidence, set.intervals.len()), (Evidence::Undecided, 0), "{text}");
+        let limit = set.limit();
+        assert!(limit.evidence() == Evidence::Undecided && limit.lower() == 0.0 && !set.neutral);
+        let at = step.with("C", &ratio(1, 2)).unwrap();
+        assert_eq!(decide_step_at(&at, &integer(0)).unwrap(), PointVerdict::Undecided);
+    }
 }

@@ -99,12 +99,55 @@ fn what_only_the_data_leave_open_is_undecided() {
     let open = set(ratio(0, 1), ratio(1, 1000));
     assert!(open.intervals.is_empty() && open.undecided[0].0 == 0.0, "{open:?}");
     assert_eq!(open.limit().evidence(), Evidence::Undecided);
+    // A range that ends where that is open.
+    let lattice = KernelLattice::from_weights(integer(1), weights(ratio(1, 4), ratio(1, 1000)));
+    let step = scheme.step(Some(&lattice), None, &[], Some("C")).unwrap();
+    let plan = SearchPlan::default().up_to(ratio(2, 3));
+    let open = step.monotone_set("C", &plan).unwrap().unwrap();
+    assert!(open.intervals.len() == 1 && open.intervals[0].to.evidence() == Evidence::Undecided);
+    assert_eq!(
+        open.undecided,
+        [(open.limit().lower(), 2.0f64 / 3.0)].map(|(a, b)| (a, b.next_up()))
+    );
+    assert!((open.limit().lower() - 1.0 / 1.504).abs() < 1e-12);
     // One that has not: 1 − 2C (1/2 + 1/4 ± 2/1000).
     let limit = set(ratio(1, 4), ratio(1, 1000)).limit();
     assert_eq!(limit.evidence(), Evidence::Enclosed);
     assert!(
         (limit.lower() - 1.0 / 1.504).abs() < 1e-12 && (limit.upper() - 1.0 / 1.496).abs() < 1e-12
     );
+}
+
+#[test]
+fn what_lies_between_certain_parts_is_undecided() {
+    // (C − √2)² is nowhere negative, which the enclosure of √2 leaves open; beside it other ends.
+    let root = 2f64.sqrt();
+    let near = |limit: &Limit, value: f64| {
+        limit.lower() <= value && value <= limit.upper() && limit.upper() - limit.lower() < 1e-12
+    };
+    for (factors, from, to) in [
+        ("1", 0.0, f64::INFINITY),
+        ("(2 - C)", 0.0, 2.0),
+        ("(C - 1)", 1.0, f64::INFINITY),
+        ("(C - 1)*(2 - C)", 1.0, 2.0),
+    ] {
+        let found = set(&format!("u[n+1,j] = {factors}*(C - sqrt(2))^2*u[n,j] + C*u[n,j-1]"));
+        let [before, after] = &found.intervals[..] else { panic!("{factors}: {found:?}") };
+        assert!(near(&before.from, from) && near(&before.to, root), "{factors}: {before:?}");
+        assert!(near(&after.from, root) && (to.is_infinite() || near(&after.to, to)), "{after:?}");
+        assert_eq!(after.to.upper().is_infinite(), to.is_infinite());
+        assert!(!after.to.is_unbounded());
+        let evidence = [&before.from, &before.to, &after.from, &after.to].map(Limit::evidence);
+        let (enclosed, open) = (Evidence::Enclosed, Evidence::Undecided);
+        assert_eq!(evidence, [enclosed, open, open, enclosed], "{factors}");
+        let [(lower, upper)] = found.undecided[..] else { panic!("{factors}: {found:?}") };
+        assert!(lower <= root && root <= upper && upper - lower < 1e-12);
+        assert_eq!(found.immediate_offset.is_some(), from > 0.0);
+    }
+    // Zero, as far as the data tell, from which it grows.
+    let open = set("u[n+1,j] = (sqrt(2)*sqrt(3) - sqrt(6) + C)*u[n,j] + C*u[n,j-1]");
+    assert!(open.limit().evidence() == Evidence::Undecided && open.intervals.len() == 1);
+    assert!(open.undecided.len() == 1 && open.undecided[0].0 == 0.0 && !open.at_zero);
 }
 
 #[test]

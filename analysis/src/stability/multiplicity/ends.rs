@@ -4,7 +4,7 @@ use super::{BITS, MultipleMultiplier, Tolerance, multiple_at, multiplicity_among
 use crate::exact::laurent::Variable;
 use crate::exact::rational::{Rational, from_f64};
 use crate::scheme::{SchemeError, Step};
-use crate::stability::{Evidence, Limit, StableSet};
+use crate::stability::{Limit, StableSet};
 use crate::waves::precise::PreciseStep;
 use crate::waves::torus_growth::place;
 use crate::waves::wave_terms::{difference_terms, primitive_characteristic};
@@ -22,10 +22,7 @@ impl StableSet {
             // A single multiplier.
             return Ok(self);
         }
-        let is_end = |end: &Limit| {
-            let decided = end.evidence() != Evidence::Undecided;
-            end.is_positive() && end.upper().is_finite() && decided
-        };
+        let is_end = |end: &Limit| end.is_positive() && end.upper().is_finite();
         let all =
             self.intervals.iter_mut().flat_map(|interval| [&mut interval.from, &mut interval.to]);
         for end in all.filter(|end| is_end(end)) {

@@ -90,3 +90,87 @@ impl Search<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::ratio;
+    use crate::stability::DEFAULT_BITS;
+    use crate::stability::margin::Margin;
+    use crate::stability::testing::margin;
+
+    fn exact(powers: &[&[i64]]) -> Margin {
+        margin(powers, &integer(0))
+    }
+
+    fn search(margin: &Margin) -> Search<'_> {
+        Search::new(margin, &integer(4), DEFAULT_BITS)
+    }
+
+    #[test]
+    fn cells_are_looked_at_where_data_and_work_allow_it() {
+        let (sharp, blurred) =
+            (exact(&[&[2, -4, 4], &[-1]]), margin(&[&[2, -4, 4], &[-1]], &ratio(1, 9)));
+        let there = |margin: &Margin, bits, budget| {
+            Search::new(margin, &integer(4), bits).within(budget).critical_polynomials().is_some()
+        };
+        assert!(there(&sharp, 52, 100) && there(&sharp, 53, usize::MAX));
+        assert!(!there(&sharp, 51, 100) && !there(&sharp, 52, 99) && !there(&blurred, 52, 100));
+    }
+
+    #[test]
+    fn stretches_end_where_cells_say() {
+        let ends = |powers: &[&[i64]]| {
+            let margin = exact(powers);
+            let mut search = search(&margin);
+            let found = search.stretch_of_cells(&integer(0));
+            assert!(search.work.cells > 0);
+            match found {
+                None => "not known".into(),
+                Some(Stretch::Continues) => "continues".into(),
+                Some(Stretch::Empty(s)) => format!("empty at {s}"),
+                Some(Stretch::Ends(edge)) => format!("{} at {}", edge.upper, edge.s),
+                Some(Stretch::Undecided(..)) => "undecided".to_string(),
+            }
+        };
+        // (2s − 1)² + a + b t
+        assert_eq!(ends(&[&[1, -4, 4], &[1]]), "continues");
+        assert_eq!(ends(&[&[1, -4, 4], &[-1]]), "empty at 1/2");
+        assert_eq!(ends(&[&[3, -4, 4], &[-1]]), "2 at 1/2");
+        // (4s − 1 − t)² − t/100: no wave is unstable from 0 on, another one a little above is.
+        assert_eq!(ends(&[&[100, -800, 1600], &[199, -800], &[100]]), "not known");
+        // (4s − t)² − (t − 1)³: the same beyond 1.
+        assert_eq!(ends(&[&[1, 0, 16], &[-3, -8], &[4], &[-1]]), "not known");
+    }
+
+    #[test]
+    fn instability_ends_with_the_first_stable_cell() {
+        // (2s − 1)² + 2t − 2: from 1/2 on the longest wave is stable, from 1 on all are.
+        let two = exact(&[&[-1, -4, 4], &[2]]);
+        let edge = search(&two).upper_edge_of_cells(&integer(0)).unwrap();
+        assert_eq!((edge.lower, edge.upper), (integer(1), integer(1)));
+        let never = exact(&[&[-1, -4, 4], &[0, 0, -1]]);
+        assert!(search(&never).upper_edge_of_cells(&integer(0)).is_none());
+        // −(t − 1)² (2 − s), and 1 − t + s.
+        let (point, stretch) = (exact(&[&[-2, 1], &[4, -2], &[-2, 1]]), exact(&[&[1, 1], &[-1]]));
+        let but_for_points = |margin: &Margin, lower, upper| {
+            search(margin).is_unstable_but_for_points(&integer(lower), &integer(upper))
+        };
+        assert!(but_for_points(&point, 0, 2) && but_for_points(&stretch, 2, 3));
+        assert!(!but_for_points(&stretch, 0, 2) && !but_for_points(&stretch, 0, 1));
+    }
+
+    #[test]
+    fn what_no_wave_covers_is_left_as_few_stretches() {
+        // −(t − 1)(t − 2)(t − 3)(t − 4), with s beside it.
+        let margin = exact(&[&[-24, 1], &[50], &[-35], &[10], &[-1]]);
+        let mut search = Search::new(&margin, &integer(5), DEFAULT_BITS).patient(40);
+        let gaps = search.not_covered(&integer(0), integer(5), &[]);
+        let holds = |t: i64| gaps.iter().any(|(a, b)| *a <= integer(t) && integer(t + 1) <= *b);
+        assert!(holds(1) && holds(3) && gaps.len() == 1, "{gaps:?}");
+        assert!(gaps[0].0 > ratio(9, 10) && gaps.windows(2).all(|pair| pair[0].1 < pair[1].0));
+        assert_eq!(search.not_covered(&integer(2), integer(2), &[]), []);
+        let mut throughout = |a: Rational, b: Rational| search.is_unstable_throughout(&a, &b);
+        assert!(throughout(ratio(21, 10), ratio(29, 10)) && !throughout(ratio(3, 2), ratio(5, 2)));
+    }
+}

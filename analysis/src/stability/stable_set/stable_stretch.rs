@@ -202,6 +202,7 @@ mod tests {
     use crate::exact::rational::ratio;
     use crate::scheme::Step;
     use crate::stability::DEFAULT_BITS;
+    use crate::stability::testing::margin;
 
     /// What is said beyond a touch between two values, after so many others, where upwind with `1 − (1 − C)(2 − C)/4` in place of `C` is
     /// stable: on `[0, 1]` and from 2 to 3.5.
@@ -234,5 +235,17 @@ mod tests {
         }
         let found = beyond(ratio(1, 2), 0, ratio(1, 4), ratio(3, 4));
         assert!(matches!(found, Stretch::Continues));
+    }
+
+    #[test]
+    fn a_wave_is_certainly_unstable_where_all_data_say_so() {
+        // Within 1 of (t − 1)² (3 − t) − 1, which is at most 0 from 3 on, and only touches it at 1.
+        let margin = margin(&[&[2], &[-7], &[5], &[-1]], &integer(1));
+        let from = |from: i64, end: i64| {
+            let mut search = Search::new(&margin, &integer(end), DEFAULT_BITS);
+            search.certainly_unstable_from(&integer(from), &integer(0))
+        };
+        assert_eq!([from(0, 4), from(1, 4), from(2, 4)], [(); 3].map(|()| Some(integer(3))));
+        assert_eq!([from(0, 2), from(3, 4)], [None, None]);
     }
 }

@@ -42,7 +42,7 @@ impl Search<'_> {
     }
 
     /// The parts of a stretch that neither these waves nor those which floating point sees grow are proved to make unstable.
-    fn not_covered(
+    pub(super) fn not_covered(
         &mut self,
         from: &Rational,
         to: Rational,

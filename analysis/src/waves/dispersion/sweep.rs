@@ -28,7 +28,7 @@ pub fn even_axis(from: &Rational, to: &Rational, count: usize) -> Vec<Rational> 
 /// What is looked at of the forward wave of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// `|cκ − Re ω|/(cκ)`: (57). It is 1 where the wave does not travel.
+    /// `(Re ω − cκ)/(cκ)`: (57) with its sign. It is −1 where the wave does not travel.
     PhaseError,
     /// `exp(Im ω t)`: (56).
     Amplitude(AmplitudeTime),
@@ -267,7 +267,7 @@ mod tests {
         let ratio = Quantity::DampingRatio;
         let damping = over_phase_and_viscosity(&scheme, &phases, &factors, ratio, &no_progress);
         for ((row, column), value) in damping.unwrap().indexed_iter() {
-            let still = at_6_5[[row, column]] == 1.0;
+            let still = at_6_5[[row, column]] == -1.0;
             assert_eq!(*value >= 1.0, still, "over-damped waves do not travel");
         }
     }

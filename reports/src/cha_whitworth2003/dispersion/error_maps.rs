@@ -3,7 +3,7 @@
 use super::super::{Detail, ReportError};
 use super::{figure_item, paper_lattice, phases, usual_ratio};
 use crate::cha_whitworth2003::published;
-use crate::figure::{Figure, Side};
+use crate::figure::Figure;
 use crate::number::significant;
 use crate::page::Item;
 use crate::wave_map::{WaveMap, amplitude_map, phase_error_map};
@@ -54,7 +54,7 @@ fn figure_5(published: &WaveMap, resolved: &WaveMap) -> Result<Item, ReportError
         .size(8.2, 3.9)
         .panel(published.panel("(a) GPH as printed, (64)")?)
         .panel(resolved.panel("(b) GPH resolved: left and right by position")?)
-        .color_bar(resolved.color_bar(&[published])?, Side::Right)
+        .color_bar(resolved.color_bar(&[published])?)
         .legend_below();
     let mut data = published.data_files("figure_05a");
     data.extend(resolved.data_files("figure_05b"));

@@ -2,7 +2,7 @@
 
 use super::super::ReportError;
 use super::{figure_item, lattice, phases, usual_ratio};
-use crate::figure::{Axis, Color, Dash, Figure, Line, Panel, Rule};
+use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
 use crate::page::Item;
 use crate::wave_map::wave_number_axis;
 use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
@@ -18,8 +18,9 @@ fn equal_width_ratio(kernel: Kernel) -> Rational {
 }
 
 pub fn item() -> Result<Item, ReportError> {
-    let speed = "phase speed Re ω/(cκ)";
-    let damping = "damping per wavelength";
+    // Panels side by side are to be compared: one scale.
+    let speed = ("phase speed Re ω/(cκ)", 0.3, 1.3);
+    let damping = ("damping per wavelength", 0.0, 3.2);
     let panels = [
         ("(a) SPH: speed", "sph", Quantity::Speed, speed),
         ("(b) GPH, resolved: speed", "gph", Quantity::Speed, speed),
@@ -29,11 +30,12 @@ pub fn item() -> Result<Item, ReportError> {
     let phases = phases(240);
     let mut figure = Figure::grid(2, 2).size(7.4, 6.2).legend_below();
     let mut text = String::from("method,quantity,kernel,ratio,kappa,value\n");
-    for (title, method, quantity, label) in panels {
+    for (title, method, quantity, (label, low, high)) in panels {
         let mut panel =
-            Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label)).title(title);
+            Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label).range(low, high))
+                .title(title);
         if quantity == Quantity::Speed {
-            panel = panel.layer(Rule::horizontal(1.0).color(Color::GREY).width(0.7));
+            panel = panel.layer(Line::horizontal(1.0).width(0.7));
         }
         for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
             let at = equal_width_ratio(kernel);

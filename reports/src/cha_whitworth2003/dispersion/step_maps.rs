@@ -2,7 +2,7 @@
 
 use super::super::{Detail, ReportError};
 use super::{figure_item, integrator, lattice};
-use crate::figure::{Figure, Side};
+use crate::figure::Figure;
 use crate::page::Item;
 use crate::step_map::{StepMap, step_map};
 use courant_analysis::exact::rational::integer;
@@ -23,7 +23,7 @@ pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError>
     let alphas: Vec<f64> = (0..rows).map(|i| 3.0 * i as f64 / (rows - 1) as f64).collect();
     let viscous = lattice("sph-av", Kernel::CubicSpline, &integer(1))?;
     let count = PARTICLE_INTEGRATORS.len();
-    let mut figure = Figure::grid(count.div_ceil(3), 3).size(8.2, 10.6);
+    let mut figure = Figure::grid(count.div_ceil(2), 2).size(8.0, 13.2);
     let mut data = Vec::new();
     let mut maps = Vec::new();
     for (index, integrator) in PARTICLE_INTEGRATORS.map(integrator).into_iter().enumerate() {
@@ -38,7 +38,7 @@ pub fn item(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError>
         data.extend(map.data_files(&format!("stable_step_{}", integrator.name)));
         maps.push(map);
     }
-    let figure = figure.color_bar(StepMap::color_bar(&maps)?, Side::Right);
+    let figure = figure.color_bar(StepMap::color_bar(&maps)?);
     let caption = "Largest stable c Δt/h of SPH with viscosity over the smoothing ratio and α, for every integrator; \
                    looked at on a grid of phases that resolves every oscillation, single points of it are proved in the \
                    table above. At α = 0 forward Euler, centred Euler and the second-order Runge–Kutta methods have no stable step: their \

@@ -13,7 +13,7 @@ use courant_simulation::riemann::State;
 use rayon::prelude::*;
 
 const SCENES: [(&str, &str); 2] =
-    [("collision-subsonic", "0.6 c"), ("collision-supersonic", "1.2 c")];
+    [("collision-subsonic", "each at 0.6 c"), ("collision-supersonic", "each at 1.2 c")];
 const METHODS: [(ParticleMethod, &str); 2] =
     [(ParticleMethod::Gph3, "GPH case 3"), (ParticleMethod::Sph1, "SPH 1")];
 
@@ -40,9 +40,14 @@ pub(super) fn figure(runs: &Runs) -> Item {
             ];
             let mut panel = Panel::new(
                 Axis::linear("x").range(-HALF_WIDTH, HALF_WIDTH),
-                Axis::linear(Quantity::Density.label()),
+                // All four on one scale, to be compared.
+                Axis::linear(Quantity::Density.label()).range(0.95, 1.85),
             )
-            .title(format!("{title}, {speed}"))
+            .title(format!(
+                "({}) {title}, streams {speed}, t = {}",
+                char::from(b'a' + panels.len() as u8),
+                run.time
+            ))
             .layer(exact_line(&scene, Quantity::Density, run.time));
             for (marker, color, label, range) in sides {
                 let shown = range.filter(|&i| run.profile.x[i].abs() <= HALF_WIDTH);
@@ -64,7 +69,7 @@ pub(super) fn figure(runs: &Runs) -> Item {
     let gph = runs.get(SCENES[0].0, ParticleMethod::Gph3);
     Item::Figure {
         name: "figure_27".into(),
-        figure: Box::new(Figure::grid(2, 2).size(7.0, 5.2).panels(panels).legend_below()),
+        figure: Box::new(Figure::grid(2, 2).size(7.4, 5.4).panels(panels).legend_below()),
         caption: format!(
             "Figure 27. Streams that collide at 0.6 c (t = 0.1) and 1.2 c (t = 0.05), isothermal, {} particles; {}; SPH with \
              rk2-heun, α = 1, β = 2. Line: two exact isothermal shocks. Colours meet at the contact and do not mix.",

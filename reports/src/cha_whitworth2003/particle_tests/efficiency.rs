@@ -5,6 +5,7 @@ use super::{COMMAND, Detail, ReportError, cancelled};
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::Item;
+use crate::particle_profile::method_title;
 use crate::table::{Align, Table};
 use courant_simulation::particles::{MethodOptions, ParticleMethod, ParticleScene};
 use std::ops::ControlFlow;
@@ -145,9 +146,9 @@ pub(super) fn items(points: &[Point]) -> Vec<Item> {
                 .filter(|point| point.method == method)
                 .filter_map(|point| Some((work(point), point.error?)))
                 .collect();
-            let (color, label) = (Color::qualitative(i), method.name());
+            let (color, label) = (Color::qualitative(i), method_title(method));
             panel = panel
-                .layer(Line::new(curve.clone()).color(color).dash(Dash::nth(i)).label(label))
+                .layer(Line::new(curve.clone()).color(color).dash(Dash::nth(i)).label(&label))
                 .layer(
                     Markers::new(curve, Marker::nth(i))
                         .color(color)

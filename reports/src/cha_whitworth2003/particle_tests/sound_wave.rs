@@ -4,7 +4,7 @@ use super::COMMAND;
 use super::runs::{EARLY, Runs, Solved};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::page::Item;
-use crate::particle_profile::{Quantity, exact_line, profile_csv};
+use crate::particle_profile::{Quantity, exact_line, method_title, profile_csv};
 use courant_simulation::particles::ParticleMethod;
 
 const FIGURES: [(usize, ParticleMethod); 5] = [
@@ -38,8 +38,8 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
                 Markers::new(points, marker)
                     .color(color)
                     .open()
-                    .size(2.4)
-                    .width(0.55)
+                    .size(2.3)
+                    .width(0.6)
                     .label(format!("particles, t = {}", run.time)),
             );
             let exact = exact_line(scene, quantity, run.time);
@@ -55,7 +55,13 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
     };
     Item::Figure {
         name: format!("figure_{number:02}"),
-        figure: Box::new(Figure::grid(2, 1).size(5.2, 5.4).panels(panels).legend_below()),
+        figure: Box::new(
+            Figure::grid(2, 1)
+                .size(5.6, 5.7)
+                .title(format!("Isothermal sound wave, {}", method_title(method)))
+                .panels(panels)
+                .legend_below(),
+        ),
         caption: format!(
             "Figure {number}. Isothermal sound wave, {title}: density and velocity at t = {EARLY} on the way out and at \
              t = {} on the way back from the mirrors, against d'Alembert's solution. {} particles, constant h; {}. \

@@ -3,7 +3,7 @@
 use super::COMMAND;
 use super::runs::{Runs, Solved};
 use crate::page::{Item, Section};
-use crate::particle_profile::{profile_csv, profile_figure};
+use crate::particle_profile::{method_title, profile_csv, profile_figure};
 use courant_simulation::particles::ParticleMethod;
 
 /// Four figures, one for each case.
@@ -56,7 +56,10 @@ pub(super) fn section(runs: &Runs, tube: Tube) -> Section {
         };
         let name = format!("figure_{number:02}");
         Item::Figure {
-            figure: Box::new(profile_figure(scene, run, solved.has_exact())),
+            figure: Box::new(
+                profile_figure(scene, run, solved.has_exact())
+                    .title(format!("{}, {}, {outcome}", &tube.title[4..], method_title(method))),
+            ),
             caption: format!(
                 "Figure {number}. {}, GPH case {}: {}, {outcome}, {} particles; {}. Line: exact solution.",
                 &tube.title[4..],

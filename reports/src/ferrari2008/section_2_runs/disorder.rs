@@ -2,9 +2,7 @@
 
 use super::super::{COMMAND, Detail, ReportError};
 use super::discretisation;
-use crate::figure::{
-    Axis, Color, Corner, Dash, ErrorBars, Figure, Line, Marker, Markers, Panel, Rule,
-};
+use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use courant_analysis::exact::rational::integer;
@@ -74,7 +72,7 @@ pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
                      spacings, less its value on the lattice (a, b): the mean over {sets} sets of positions with its \
                      spread. Factor per step of a long run less 1 (c, d), the largest modulus of the eigenvalues of a \
                      step, at that Courant number and 2 % below and above the lattice's limit: mean, and smallest to \
-                     largest of the sets; above 0 something grows, in brackets by how much on the lattice. Cubic spline, l/Δξ = 2, {PARTICLES} particles; \
+                     largest of the sets; above 0 something grows. Both schemes on one scale. Cubic spline, l/Δξ = 2, {PARTICLES} particles; \
                      plain sums, volumes by Voronoi cells, no correction."
                 ),
                 data: vec![("figure_disorder.csv".into(), data(&studies))],
@@ -125,98 +123,80 @@ fn explanation(studies: &[Study]) -> String {
     )
 }
 
+/// Displacement, mean, and the ends of its bar.
+type Point = (f64, f64, [f64; 2]);
+type Curve = Vec<Point>;
+
 fn figure(studies: &[Study]) -> Figure {
-    let mut figure = Figure::grid(2, 2).size(7.2, 5.8);
-    for (k, of_scheme) in studies.chunks(1 + SHARES_OF_LIMIT.len()).enumerate() {
-        figure = figure.panel(step_panel(char::from(b'a' + k as u8), &of_scheme[0]));
-    }
-    for (k, of_scheme) in studies.chunks(1 + SHARES_OF_LIMIT.len()).enumerate() {
-        figure = figure.panel(long_run_panel(char::from(b'c' + k as u8), of_scheme));
+    let by_scheme: Vec<&[Study]> = studies.chunks(1 + SHARES_OF_LIMIT.len()).collect();
+    let steps: Vec<Vec<Curve>> = by_scheme.iter().map(|of| single_steps(&of[0])).collect();
+    let runs: Vec<Vec<Curve>> =
+        by_scheme.iter().map(|of| of.iter().map(long_run).collect()).collect();
+    let phases = MODES.map(|mode| match PARTICLES / 2 / mode {
+        1 => "a, b: φ = π".to_string(),
+        part => format!("a, b: φ = π/{part}"),
+    });
+    let courant_numbers =
+        ["C = 1", "2 % below the limit", "2 % above it"].map(|c| format!("c, d: {c}"));
+    let mut figure = Figure::grid(2, 2).size(7.2, 6.2).legend_below();
+    for (row, (curves, names)) in
+        [(steps, phases.to_vec()), (runs, courant_numbers.to_vec())].iter().enumerate()
+    {
+        // The panels of a row are to be compared: one scale, from the bars of both.
+        let ends = || curves.iter().flatten().flatten().flat_map(|point| point.2);
+        let (low, high) = (ends().fold(0.0, f64::min), ends().fold(0.0, f64::max));
+        let room = 0.05 * (high - low);
+        for (column, curves) in curves.iter().enumerate() {
+            let scheme = by_scheme[column][0].scheme.title();
+            let letter = char::from(b'a' + (2 * row + column) as u8);
+            let (title, label) = match row {
+                0 => (format!("({letter}) {scheme}, single step"), "|g| less the lattice's"),
+                _ => (format!("({letter}) {scheme}, long run"), "factor per step less 1"),
+            };
+            let x = Axis::linear("largest displacement / Δξ").range(-0.02, 0.42);
+            let y = Axis::linear(label).range(low - room, high + room);
+            let mut panel = Panel::new(x, y).title(title).layer(Line::horizontal(0.0));
+            for (k, (curve, name)) in curves.iter().zip(names).enumerate() {
+                // No look twice in a figure with one legend.
+                panel = with_spread(panel, k, k + row * MODES.len(), curve, name);
+            }
+            figure = figure.panel(panel);
+        }
     }
     figure
 }
 
-fn disorder_axis() -> Axis {
-    Axis::linear("largest displacement / Δξ").range(-0.01, 0.41)
-}
-
-/// A point of a curve: displacement, mean, and the ends of its bar.
-type Point = (f64, f64, [f64; 2]);
-
-/// The `k`-th curve of a panel: means, and bars around them. Rings of falling size, so that curves that lie on one
-/// another can be told apart.
-fn with_spread(panel: Panel, k: usize, points: &[Point], label: String) -> Panel {
-    let color = Color::qualitative(k);
-    let means = || points.iter().map(|&(at, mean, _)| (at, mean));
-    let markers = Markers::new(means(), Marker::nth(k)).color(color).open();
+/// A curve of a panel: means, and bars around them. Rings of falling size, so that curves that lie on one another can be
+/// told apart.
+fn with_spread(panel: Panel, k: usize, look: usize, curve: &Curve, name: &str) -> Panel {
+    let color = Color::qualitative(look);
+    let means = || curve.iter().map(|&(at, mean, _)| (at, mean));
+    let bar = |&(at, _, [low, high]): &Point| [(at, low), (at, high), (f64::NAN, f64::NAN)];
+    let markers = Markers::new(means(), Marker::nth(look)).color(color).open();
     panel
         .layer(Line::new(means()).color(color))
-        .layer(
-            ErrorBars::new(points.iter().map(|&(at, _, [low, high])| (at, low, high))).color(color),
-        )
-        .layer(markers.size(7.5 - 1.5 * k as f64).label(label))
+        .layer(Line::new(curve.iter().flat_map(bar)).color(color).width(0.8))
+        .layer(markers.size(7.5 - 1.5 * k as f64).label(name))
 }
 
-/// A panel around a line at zero, its legend in the corner that the curves leave free.
-fn panel_about_zero(title: String, label: &str, curves: Vec<(Vec<Point>, String)>) -> Panel {
-    let all = || curves.iter().flat_map(|(points, _)| points);
-    let lowest = all().map(|point| point.1).fold(0.0, f64::min);
-    let highest = all().map(|point| point.1).fold(0.0, f64::max);
-    let starts = curves.iter().filter_map(|(points, _)| points.first());
-    let start = starts.map(|point| point.1).fold(0.0, f64::max);
-    let corner = if -lowest > highest {
-        Corner::BottomLeft
-    } else if start < 0.5 * highest {
-        Corner::TopLeft
-    } else {
-        Corner::TopRight
-    };
-    let zero = Rule::horizontal(0.0).color(Color::GREY).dash(Dash::Dotted);
-    let mut panel =
-        Panel::new(disorder_axis(), Axis::linear(label)).title(title).layer(zero).legend(corner);
-    for (k, (points, label)) in curves.into_iter().enumerate() {
-        panel = with_spread(panel, k, &points, label);
-    }
-    panel
-}
-
-fn step_panel(letter: char, study: &Study) -> Panel {
-    let curves = MODES.into_iter().map(|mode| {
+/// The change of the gain of a single step, mode by mode.
+fn single_steps(study: &Study) -> Vec<Curve> {
+    let curve = |mode| {
         let rows = study.found.modes.iter().filter(|row| row.mode == mode);
         let points = rows.map(|row| {
             let change = row.mean.norm() - row.lattice.norm();
             (row.disorder, change, [change - row.spread, change + row.spread])
         });
-        let label = match PARTICLES / 2 / mode {
-            1 => "φ = π".into(),
-            part => format!("φ = π/{part}"),
-        };
-        (points.collect(), label)
-    });
-    let title = format!("({letter}) {}", study.scheme.title());
-    panel_about_zero(title, "|g| of one step less the lattice's", curves.collect())
+        points.collect()
+    };
+    MODES.into_iter().map(curve).collect()
 }
 
-fn long_run_panel(letter: char, studies: &[Study]) -> Panel {
-    let curves = studies.iter().map(|study| {
-        let points: Vec<Point> = study
-            .found
-            .growth
-            .iter()
-            .map(|row| {
-                let ends = [row.smallest_gain - 1.0, row.largest_gain - 1.0];
-                (row.disorder, row.mean_gain - 1.0, ends)
-            })
-            .collect();
-        let mut label = format!("C = {}", significant(study.courant_number, 4));
-        // Weak growth is no more than a point on the axis: the number says it.
-        if points[0].1 > 1e-9 {
-            label.push_str(&format!(" (+{})", significant(points[0].1, 2)));
-        }
-        (points, label)
-    });
-    let title = format!("({letter}) {}, long run", studies[0].scheme.title());
-    panel_about_zero(title, "factor per step of a long run less 1", curves.collect())
+fn long_run(study: &Study) -> Curve {
+    let rows = study.found.growth.iter();
+    let ends = |one: f64, other: f64| [one - 1.0, other - 1.0];
+    rows.map(|row| (row.disorder, row.mean_gain - 1.0, ends(row.smallest_gain, row.largest_gain)))
+        .collect()
 }
 
 fn data(studies: &[Study]) -> Vec<u8> {

@@ -3,7 +3,7 @@
 use super::super::{COMMAND, Detail, ReportError};
 use super::discretisation;
 use crate::advection_validation::{Settings, ValidatedCase, ValidationCase, run_cases};
-use crate::figure::{Axis, Color, Corner, Dash, Figure, Line, Marker, Markers, Panel, Rule};
+use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
@@ -128,22 +128,25 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
     let of = |scheme: AdvectionScheme| {
         cases.iter().filter(move |case| case.case.plan.discretisation.scheme() == scheme)
     };
-    let mut figure = Figure::grid(2, 3).size(7.4, 5.0);
+    let labels = [
+        "half the limit (Euler-SPH: C = 1/2)",
+        "at the limit (C = 1)",
+        "one and a half times the limit (C = 3/2)",
+    ];
+    let mut figure = Figure::grid(2, 3).size(7.4, 5.2).legend_below();
     for scheme in AdvectionScheme::ALL {
-        // Room above the curves for the legend.
-        let mut panel = Panel::new(phase_axis(), Axis::linear("|g|").range(0.0, 2.8))
+        let mut panel = Panel::new(phase_axis(), Axis::linear("|g|").range(0.0, 1.8))
             .title(scheme.title())
-            .legend(Corner::TopRight);
+            .layer(Line::horizontal(1.0));
         for (k, case) in of(scheme).enumerate() {
             let color = Color::qualitative(k);
             let rows = &case.validation.rows;
-            let label = format!("C = {:.3}", case.case.plan.courant_number);
             panel = panel
                 .layer(
                     Line::new(rows.iter().map(|row| (row.phase, row.predicted.norm())))
                         .color(color)
                         .dash(Dash::nth(k))
-                        .label(&label),
+                        .label(labels[k]),
                 )
                 .layer(
                     Markers::new(
@@ -153,7 +156,7 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
                     .color(color)
                     .fill(Color::WHITE)
                     .size(3.4)
-                    .label(label),
+                    .label(labels[k]),
                 );
         }
         figure = figure.panel(panel);
@@ -162,7 +165,7 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
         let allowed = of(scheme).map(|case| case.validation.tolerance).fold(0.0, f64::max);
         let mut panel =
             Panel::new(phase_axis(), Axis::log("|measured − predicted|").range(1e-18, 1e-12))
-                .layer(Rule::horizontal(allowed).dash(Dash::Dotted));
+                .layer(Line::horizontal(allowed).dash(Dash::Dashed).label("allowed"));
         for (k, case) in of(scheme).enumerate() {
             // An exact agreement has no place on a logarithmic axis.
             let points = case.validation.rows.iter().filter(|row| row.error > 0.0);

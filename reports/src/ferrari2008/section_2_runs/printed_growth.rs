@@ -2,7 +2,7 @@
 
 use super::super::{COMMAND, Detail, LimitKind, PublishedValue, ReportError, published_values};
 use super::discretisation;
-use crate::figure::{Axis, Color, Corner, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::table::{Align, Table};
@@ -164,26 +164,22 @@ fn table(cases: &[Case]) -> Table {
 }
 
 fn figure(cases: &[Case]) -> Figure {
-    let mut figure = Figure::grid(1, 2).size(7.2, 3.6);
-    for (letter, kernel, top) in [('a', Kernel::Gaussian, 7.0), ('b', Kernel::CubicSpline, 2.5)] {
+    let mut figure = Figure::grid(1, 2).size(7.2, 3.7).legend_below();
+    for (letter, kernel) in [('a', Kernel::Gaussian), ('b', Kernel::CubicSpline)] {
         let mut panel = Panel::new(
-            Axis::linear("steps").range(0.0, STEPS as f64),
-            Axis::linear("log₁₀ of the amplitude").range(-0.05 * top, top),
+            // Growth at a constant rate is a line of slope one; both kernels on the same scale.
+            Axis::log("steps").range(0.8 * EVERY as f64, 1.2 * STEPS as f64),
+            Axis::log("decades grown, log₁₀ |û/û₀|").range(2e-3, 10.0),
         )
-        .title(format!("({letter}) Godunov SPH, {}", kernel.title()))
-        .legend(Corner::TopLeft);
+        .title(format!("({letter}) Godunov SPH, {}", kernel.title()));
         let chosen = cases.iter().filter(|case| case.printed.kernel == kernel);
         for (k, case) in chosen.enumerate() {
             let color = Color::qualitative(k);
-            let label = format!(
-                "l/Δξ = {}, C = {:.2}",
-                to_text(&case.printed.ratio),
-                case.growth.courant_number
-            );
+            let label = format!("l/Δξ = {}", to_text(&case.printed.ratio));
             let slope = case.growth.predicted_gain.log10();
             panel = panel
                 .layer(
-                    Line::new([(0.0, 0.0), (STEPS as f64, slope * STEPS as f64)])
+                    Line::new([1.0, 2.0 * STEPS as f64].map(|steps| (steps, slope * steps)))
                         .color(color)
                         .width(0.9)
                         .label(&label),

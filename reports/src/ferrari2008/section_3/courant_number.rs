@@ -4,7 +4,7 @@ use super::cost::curve;
 use super::runs::{LAGRANGIAN, PARTICLES, method, tube};
 use super::table_2::sound_growth;
 use super::{COMMAND, Detail, error_or_failure, panel_title, table_item};
-use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel, Rule};
+use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::Item;
 use crate::table::{Align, Table};
@@ -112,8 +112,13 @@ fn figure(series: &[Series]) -> Item {
             Axis::log("Σ|e|/N of ρ"),
         )
         .title(panel_title(test))
-        .layer(Rule::vertical(MONOTONE).label("monotone up to 8/5"))
-        .layer(Rule::vertical(STABLE).color(Color::BLACK).label("stable up to 15/8"));
+        .layer(Line::vertical(MONOTONE).dash(Dash::Dashed).label("monotone up to 8/5"))
+        .layer(
+            Line::vertical(STABLE)
+                .color(Color::BLACK)
+                .dash(Dash::Dashed)
+                .label("stable up to 15/8"),
+        );
         for one in series.iter().filter(|one| one.test == test) {
             for (cfl, result) in &one.points {
                 let (name, step, outcome) = (one.name, one.step, error_or_failure(result));

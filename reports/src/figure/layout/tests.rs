@@ -1,95 +1,43 @@
 use super::*;
 use crate::figure::{
-    Axis, Bands, Color, Corner, ErrorBars, Field, FilledContours, Isolines, Line, Marker, Markers,
-    Note, Region, Rule,
+    Axis, Bands, Color, Field, FilledContours, Isolines, Line, Marker, Markers, Note,
 };
+use ndarray::Array2;
 
-fn nodes(n: usize) -> Vec<f64> {
-    (0..n).map(|i| i as f64 / (n - 1) as f64).collect()
+fn map(n: usize, f: fn(f64, f64) -> f64, colors: Vec<Color>) -> (Panel, ColorBar) {
+    let nodes: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
+    let values = Array2::from_shape_fn((n, n), |(i, j)| f(nodes[i], nodes[j]));
+    let field = Field::new(nodes.clone(), nodes, values).unwrap();
+    let count = colors.len() as f64;
+    let bands = Bands::new((0..=colors.len()).map(|k| k as f64 / count).collect(), colors).unwrap();
+    let panel = Panel::new(Axis::linear("x [m] <&\">"), Axis::linear("y [m]"))
+        .layer(FilledContours::new(field.clone(), bands.clone()))
+        .layer(Isolines::new(field, [0.2, 0.5, 0.75]));
+    (panel, ColorBar::new(bands, "value"))
 }
 
-fn bands(colors: Vec<Color>) -> Bands {
-    let n = colors.len();
-    Bands::new((0..=n).map(|k| k as f64 / n as f64).collect(), colors).unwrap()
-}
-
-fn map(n: usize, bands: Bands) -> Panel {
-    let field = Field::from_fn(nodes(n), nodes(n), |x, y| {
-        0.5 + 0.49 * (9.0 * x).sin() * (7.0 * y * y).cos()
-    });
-    let field = field.unwrap();
-    Panel::new(Axis::linear("x [m] <&\">"), Axis::linear("y [m]"))
-        .layer(FilledContours::new(field.clone(), bands))
-        .layer(Isolines::new(field, [0.2, 0.5, 0.75]))
+fn hills(x: f64, y: f64) -> f64 {
+    0.5 + 0.49 * (9.0 * x).sin() * (7.0 * y * y).cos()
 }
 
 /// One of everything.
 fn rich() -> Figure {
-    let x = [0.01, 0.1, 1.0];
     let lines = Panel::new(Axis::log("κ h"), Axis::log("|g| − 1"))
         .title("(b) lines")
-        .layer(
-            Region::polygon([
-                (0.01, 0.01),
-                (1.0, 1.0),
-                (1.0, f64::INFINITY),
-                (0.01, f64::INFINITY),
-            ])
-            .fill(Color::SKY, 0.3)
-            .hatch(Color::BLUE)
-            .label("unstable"),
-        )
-        .layer(Line::xy(&x, &[1e-9, f64::NAN, 1.0]).label("run"))
+        .layer(Line::new([(0.01, 1e-9), (0.1, f64::NAN), (1.0, 1.0)]).label("run"))
         .layers((0..6).map(|k| Markers::new([(0.1, 0.1)], Marker::nth(k)).label("run")))
-        .layer(ErrorBars::new([(0.1, 1e-3, 1e-2)]))
-        .layer(Rule::vertical(0.5))
-        .layer(Note::new(0.05, 1e-5, "φ = π"))
-        .legend(Corner::BottomRight);
-    let four = bands(vec![Color::BLUE, Color::SKY, Color::ORANGE, Color::VERMILION]);
+        .layer(Line::vertical(0.5).label("limit"))
+        .layer(Note::new(0.05, 1e-5, "φ = π"));
+    let four = vec![Color::BLUE, Color::SKY, Color::ORANGE, Color::VERMILION];
+    let (panel, bar) = map(40, hills, four);
     Figure::grid(1, 2)
         .size(7.0, 3.2)
-        .title("A title")
-        .panel(map(40, four.clone()).title("(a) map"))
+        .title("A title that is so long that it takes more than a single line where the page is narrow as here")
+        .panel(panel.title("(a) map"))
         .panel(lines)
         .legend_below()
-        .color_bar(ColorBar::new(four, "value"), Side::Below)
-}
-
-/// The elements of a document must close in the order in which they opened, with quoted attributes and no bare `&` or `<`.
-fn assert_well_formed(svg: &str) {
-    let mut open = Vec::new();
-    let mut rest = svg;
-    while let Some(start) = rest.find('<') {
-        let within = open.last().is_some_and(|name| *name == "text");
-        assert!(
-            within || rest[..start].trim().is_empty(),
-            "text between elements: {}",
-            &rest[..start]
-        );
-        let end = start + rest[start..].find('>').expect("a tag ends");
-        let tag = &rest[start + 1..end];
-        rest = &rest[end + 1..];
-        if let Some(name) = tag.strip_prefix('/') {
-            assert_eq!(open.pop(), Some(name));
-            continue;
-        }
-        let (body, closed) = tag.strip_suffix('/').map_or((tag, false), |body| (body, true));
-        let (name, attributes) = body.split_once(' ').unwrap_or((body, ""));
-        let parts: Vec<&str> = attributes.split('"').collect();
-        assert_eq!(parts.len() % 2, 1, "quotes: {tag}");
-        for pair in parts.chunks_exact(2) {
-            assert!(pair[0].trim().ends_with('='), "{tag}");
-            assert!(!pair[1].contains('<'), "{tag}");
-            for (at, _) in pair[1].match_indices('&') {
-                let entity = pair[1][at + 1..].split(';').next().unwrap();
-                assert!(["amp", "lt", "gt", "quot"].contains(&entity), "{tag}");
-            }
-        }
-        if !closed {
-            open.push(name);
-        }
-    }
-    assert!(open.is_empty() && rest.trim().is_empty(), "{open:?} {rest}");
+        .color_bar(bar.clone())
+        .color_bar(bar)
 }
 
 #[test]
@@ -99,26 +47,20 @@ fn equal_figures_give_equal_bytes() {
 }
 
 #[test]
-fn svg_is_well_formed_and_keeps_the_text() {
+fn svg_states_its_size_and_keeps_the_text() {
     let svg = rich().svg().unwrap();
-    assert_well_formed(&svg);
     assert!(svg.contains("x [m] &lt;&amp;&quot;&gt;"));
     assert!(svg.contains("width=\"7in\" height=\"3.2in\" viewBox=\"0 0 10080 4608\""));
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    let colors = (0..10).map(|k| Color(25 * k, 100, 200)).collect();
+    let large = Figure::single(map(400, hills, colors).0).svg().unwrap();
+    assert!(large.len() < 200_000, "{}", large.len());
 }
 
-#[test]
-fn large_maps_stay_small_as_svg() {
-    let ten = bands((0..10).map(|k| Color::rgb(25 * k, 100, 200)).collect());
-    let svg = Figure::single(map(400, ten)).svg().unwrap();
-    assert!(svg.len() < 200_000, "{}", svg.len());
-}
-
-/// The pixels of a figure of one map of `f` over the unit square in blue bands, row by row.
-fn pixels(f: fn(f64, f64) -> f64, bands: Bands) -> Vec<Vec<[u8; 3]>> {
-    let field = Field::from_fn(nodes(50), nodes(50), f).unwrap();
-    let panel =
-        Panel::new(Axis::linear(""), Axis::linear("")).layer(FilledContours::new(field, bands));
+/// The pixels of a figure of one map over the unit square, row by row.
+fn pixels(f: fn(f64, f64) -> f64, colors: Vec<Color>) -> Vec<Vec<[u8; 3]>> {
+    let (mut panel, _) = map(50, f, colors);
+    panel.layers.truncate(1);
     let bytes = Figure::single(panel).size(2.0, 2.0).png().unwrap();
     let mut reader = png::Decoder::new(bytes.as_slice()).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size()];
@@ -128,33 +70,27 @@ fn pixels(f: fn(f64, f64) -> f64, bands: Bands) -> Vec<Vec<[u8; 3]>> {
 }
 
 #[test]
-fn neighbouring_bands_leave_no_seam() {
+fn bands_leave_no_seam_and_what_is_below_them_stays_blank() {
     // With all bands in one colour the plot is even.
-    let rows = pixels(|x, y| (x * y).sqrt(), bands(vec![Color::GREEN; 12]));
-    let green = [0, 158, 115];
-    let inside = |row: &&Vec<[u8; 3]>| row.iter().filter(|p| **p == green).count() > 100;
-    let rows: Vec<_> = rows.iter().filter(inside).collect();
-    assert!(rows.len() > 400);
+    let rows = pixels(|x, y| (x * y).sqrt(), vec![Color::GREEN; 12]);
+    let green = |p: &[u8; 3]| *p == [0, 158, 115];
+    let rows: Vec<_> =
+        rows.iter().filter(|row| row.iter().filter(|p| green(p)).count() > 100).collect();
+    assert!(rows.len() > 300);
     for row in rows {
-        let [first, last] =
-            [row.iter().position(|p| *p == green), row.iter().rposition(|p| *p == green)]
-                .map(|p| p.expect("there are some"));
-        assert!(row[first..=last].iter().all(|p| *p == green));
+        let ends = (row.iter().position(green), row.iter().rposition(green));
+        let (first, last) = (ends.0.unwrap(), ends.1.unwrap());
+        assert!(row[first..=last].iter().all(green));
     }
-}
-
-#[test]
-fn values_outside_the_bands_stay_blank() {
-    // f = 3x - 1 lies in 0..=1 on a third of the plot.
-    let all = pixels(|x, _| x, bands(vec![Color::BLUE]));
-    let third = pixels(|x, _| 3.0 * x - 1.0, bands(vec![Color::BLUE]));
-    let blue = |rows: &[Vec<[u8; 3]>]| {
+    // 3x - 1 is at least 0 on two thirds of the plot.
+    let blue = |f| {
+        let rows = pixels(f, vec![Color::BLUE]);
         rows.iter().flatten().filter(|p| **p == [0, 114, 178]).count() as f64
     };
-    assert!((blue(&third) / blue(&all) - 1.0 / 3.0).abs() < 0.01);
+    assert!((blue(|x, _| 3.0 * x - 1.0) / blue(|x, _| x) - 2.0 / 3.0).abs() < 0.01);
 }
 
-/// The boxes of the texts of an SVG.
+/// The boxes of the texts of an SVG, as the font sets them.
 fn boxes(svg: &str) -> Vec<(String, Rect)> {
     let text = |element: &str| {
         let value = |name: &str| {
@@ -164,26 +100,20 @@ fn boxes(svg: &str) -> Vec<(String, Rect)> {
         let number = |name: &str| value(name).parse::<f64>().expect("a number");
         let letters = element[element.find('>')? + 1..].trim().to_string();
         let (x, y, size) = (number(" x=\""), number(" y=\""), number("font-size=\""));
-        let wide = text::width(&letters, size);
+        let (wide, high) = (text::width(&letters, size), text::CAP_HEIGHT * size);
         let back = wide
-            * match value("text-anchor=\"") {
-                "start" => 0.0,
-                "middle" => 0.5,
-                _ => 1.0,
-            };
+            * ["start", "middle"]
+                .iter()
+                .position(|a| *a == value("text-anchor=\""))
+                .map_or(1.0, |k| 0.5 * k as f64);
         let drop = match value("dy=\"") {
             "0.76em" => 0.76 * size,
             "0.5ex" => 0.5 * 0.547 * size,
             _ => -0.5 * 0.547 * size,
         };
-        let high = text::CAP_HEIGHT * size;
+        let (left, bottom) = (x - back, y + drop);
         let rect = match element.contains("rotate(270") {
-            false => Rect {
-                left: x - back,
-                top: y + drop - high,
-                right: x - back + wide,
-                bottom: y + drop,
-            },
+            false => Rect { left, top: bottom - high, right: left + wide, bottom },
             true => Rect {
                 left: x + drop - high,
                 top: y + back - wide,
@@ -202,7 +132,7 @@ fn all_text_is_on_the_page_and_does_not_touch() {
     for figure in [
         rich(),
         rich().size(5.0, 3.0),
-        Figure::single(map(10, bands(vec![Color::SKY; 3]))).size(2.4, 2.0),
+        Figure::single(map(10, hills, vec![Color::SKY; 3]).0).size(2.4, 2.0),
         Figure::single(Panel::new(x, Axis::linear(""))),
     ] {
         let (width, height) = figure.units();
@@ -212,10 +142,8 @@ fn all_text_is_on_the_page_and_does_not_touch() {
         for (k, (text, a)) in boxes.iter().enumerate() {
             assert!(page.contains([a.left, a.top]) && page.contains([a.right, a.bottom]), "{text}");
             for (other, b) in &boxes[..k] {
-                let apart = b.right <= a.left
-                    || a.right <= b.left
-                    || b.bottom <= a.top
-                    || a.bottom <= b.top;
+                let beside = b.right <= a.left || a.right <= b.left;
+                let apart = beside || b.bottom <= a.top || a.bottom <= b.top;
                 assert!(apart, "{text} {a:?} touches {other} {b:?}");
             }
         }
@@ -225,15 +153,10 @@ fn all_text_is_on_the_page_and_does_not_touch() {
 #[test]
 fn impossible_figures_are_errors() {
     let panel = || Panel::new(Axis::linear("x"), Axis::linear("y"));
-    assert!(matches!(Figure::grid(1, 1).svg(), Err(FigureError::PanelCount { panels: 0, .. })));
+    assert!(matches!(Figure::grid(1, 1).svg(), Err(FigureError::PanelCount(0, 1, 1))));
     let two = Figure::grid(1, 1).panels([panel(), panel()]);
-    assert!(matches!(two.svg(), Err(FigureError::PanelCount { panels: 2, .. })));
-    assert!(matches!(
-        Figure::single(panel()).size(0.5, 0.5).png(),
-        Err(FigureError::TooSmall { .. })
-    ));
-    let bad = Panel::new(Axis::log("x").range(-1.0, 1.0), Axis::linear("y"));
-    assert!(matches!(Figure::single(bad).png(), Err(FigureError::AxisRange { .. })));
+    assert!(matches!(two.svg(), Err(FigureError::PanelCount(2, 1, 1))));
+    assert!(matches!(Figure::single(panel()).size(0.5, 0.5).png(), Err(FigureError::TooSmall(..))));
     // No data at all is an empty panel, not an error.
     assert!(Figure::single(panel()).png().is_ok());
 }

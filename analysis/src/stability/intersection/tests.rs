@@ -1,0 +1,106 @@
+use super::*;
+use crate::exact::rational::{integer, ratio};
+use crate::stability::Condition::{MinusOne, PlusOne};
+use crate::stability::testing::{inequality, margin};
+
+fn plan(bits: u32) -> SearchPlan {
+    SearchPlan { bits, ..SearchPlan::default().up_to(integer(4)) }
+}
+
+/// What `1 − t` for the longest wave and `1 + k/2^m − t` for the wave `s` with `s³ = 1/3³` or `1/2³` allow, to 20 bits.
+fn ends(k: i64, m: u32, inverse_s: i64) -> StableSet {
+    let unit = 1i64 << m;
+    // 64 (s/s_0 − 1)² beside it: samples do not see the wave 1/3, and take the other condition for the first to fail.
+    let steep = 64 * unit;
+    let shape = [steep + unit + k, -2 * inverse_s * steep, inverse_s * inverse_s * steep];
+    let first = inequality(PlusOne, margin(&[&[1, 1], &[-1]], &integer(0)));
+    let second = inequality(MinusOne, margin(&[&shape, &[-unit]], &integer(0)));
+    intersection(&[second, first], &plan(20))
+}
+
+#[test]
+fn ends_whose_enclosures_overlap_are_told_apart_by_what_each_proves() {
+    for inverse_s in [2, 3] {
+        for (k, m) in [(-1, 10), (-1, 30), (1, 30), (1, 10)] {
+            let set = ends(k, m, inverse_s);
+            let [interval] = &set.intervals[..] else { panic!("{set:?}") };
+            let (to, first) = (&interval.to, if k < 0 { MinusOne } else { PlusOne });
+            assert_eq!(to.binding().unwrap().condition, first, "{k}/2^{m} {to:?}");
+            let value = ratio(k.min(0), 1 << m) + integer(1);
+            assert!(to.certain_lower().unwrap() <= value && value <= to.certain_upper().unwrap());
+            assert_eq!(to.exact().is_some(), k > 0);
+            assert!(set.undecided.is_empty() && !set.neutral && interval.from.upper() == 0.0);
+        }
+    }
+}
+
+#[test]
+fn the_first_of_two_ends() {
+    let exact = |value: i64| Limit::exactly(ExactValue::Fraction(integer(value)), Evidence::Proved);
+    let between = |lower, upper, evidence| Limit::between(lower, upper, evidence);
+    let infinite = f64::INFINITY;
+    let word = |known: &Limit, other: &Limit| match order(known, other) {
+        Order::Known => "known".to_string(),
+        Order::Other => "other".to_string(),
+        Order::Unclear(at) => at.to_string(),
+    };
+    let met_nothing = between(2.0, infinite, Evidence::Proved);
+    assert_eq!(word(&exact(3), &met_nothing), "known");
+    assert_eq!(word(&met_nothing, &exact(3)), "other");
+    assert_eq!(word(&met_nothing, &met_nothing), "known");
+    // What is not decided is no end that lies beyond.
+    assert_eq!(word(&exact(3), &between(2.0, infinite, Evidence::Undecided)), "3");
+    assert_eq!(
+        [exact(2), exact(3), exact(4)].map(|other| word(&exact(3), &other)),
+        ["3", "known", "known"]
+    );
+    assert_eq!(word(&exact(3), &between(2.5, 3.5, Evidence::Enclosed)), "3");
+}
+
+#[test]
+fn what_another_condition_leaves_open_beyond_the_end_is_not_asked() {
+    // 1 − t, and (1 + 3/2 ε) − t within ε, which is open from 1 + ε/2 to 1 + 5/2 ε; and the other way round.
+    let unit = 200_000_000;
+    let first = inequality(PlusOne, margin(&[&[1, 1], &[-1]], &integer(0)));
+    for (offset, open) in [(3, false), (-1, true)] {
+        let open_at = margin(&[&[unit + offset, unit], &[-unit]], &integer(2));
+        let second = inequality(MinusOne, open_at);
+        let set = intersection(&[first.clone(), second], &plan(52));
+        let to = &set.intervals[0].to;
+        assert_eq!(set.evidence, Evidence::Enclosed);
+        assert!(to.lower() <= 1.0 && (to.upper() - 1.0).abs() < 2e-8, "{set:?}");
+        assert_eq!(to.exact().is_none(), open, "{set:?}");
+        assert!(set.undecided.is_empty() || open, "{set:?}");
+    }
+}
+
+#[test]
+fn ranges_and_beginnings_are_those_of_all_conditions() {
+    let forever = || inequality(PlusOne, margin(&[&[1, 1], &[1]], &integer(0)));
+    let neutral = || inequality(PlusOne, margin(&[&[0]], &integer(0)));
+    let till = |end: i64| inequality(MinusOne, margin(&[&[end, 1], &[-1]], &integer(0)));
+    let from = |start: i64| inequality(MinusOne, margin(&[&[-start, start], &[1]], &integer(0)));
+    let ends = |all: &[Inequality], plan: &SearchPlan| -> Vec<_> {
+        let set = intersection(all, plan);
+        assert!(set.undecided.is_empty(), "{set:?}");
+        assert_eq!(set.neutral, all.iter().all(|one| one.margin.is_neutral()));
+        let all = set.intervals.iter();
+        all.map(|one| (one.from.value(), one.to.upper(), one.to.is_unbounded())).collect()
+    };
+    let infinite = f64::INFINITY;
+    let wide = plan(52);
+    assert_eq!(ends(&[neutral()], &wide), [(0.0, infinite, true)]);
+    assert_eq!(ends(&[neutral(), forever()], &wide), [(0.0, infinite, true)]);
+    // Ends beyond the range are none within it, and no promise.
+    assert_eq!(ends(&[forever(), till(5)], &wide), [(0.0, infinite, false)]);
+    assert_eq!(ends(&[from(1), till(5)], &wide), [(1.0, infinite, false)]);
+    assert_eq!(ends(&[from(1)], &wide), [(1.0, infinite, true)]);
+    assert_eq!(ends(&[from(1), till(3)], &wide), [(1.0, 3.0, false)]);
+    assert_eq!(ends(&[till(3), from(2), till(2)], &wide), []);
+    assert_eq!(ends(&[from(3), till(2)], &wide), []);
+    let set = intersection(&[from(3), till(2)], &wide);
+    assert_eq!(set.immediate_binding.unwrap().condition, MinusOne);
+    assert!(set.immediately_unstable.is_some() && set.work != Work::default());
+    assert_eq!(nowhere(2).limit().value(), 0.0);
+    assert!(!nowhere(2).neutral && unknown(&wide).limit().evidence() == Evidence::Undecided);
+}
