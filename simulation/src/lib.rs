@@ -7,6 +7,7 @@ pub mod boundary;
 pub mod comparison;
 pub mod field;
 pub mod finite_volume;
+pub mod gravity;
 pub mod lagrangian;
 pub mod lattice;
 pub mod march;
