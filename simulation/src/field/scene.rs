@@ -7,6 +7,7 @@ use crate::riemann::IdealGas;
 use courant_analysis::kernel::Kernel;
 use serde::Deserialize;
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// The initial state.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -131,14 +132,18 @@ const FILES: [&str; 3] = [
 
 impl FieldScene {
     /// All named scenes.
-    pub fn all() -> Vec<Self> {
-        let read = |text| Self::from_toml(text).expect("the files in the tree are scenes");
-        FILES.iter().map(|text| read(text)).collect()
+    pub fn all() -> &'static [Self] {
+        static ALL: LazyLock<Vec<FieldScene>> = LazyLock::new(|| {
+            let read =
+                |text| FieldScene::from_toml(text).expect("the files in the tree are scenes");
+            FILES.iter().map(|text| read(text)).collect()
+        });
+        &ALL
     }
 
     /// The scene of that name.
     pub fn named(name: &str) -> Option<Self> {
-        Self::all().into_iter().find(|scene| scene.name == name)
+        Self::all().iter().find(|scene| scene.name == name).cloned()
     }
 
     /// Reads a scene, as the files in `simulation/scenes` are written.

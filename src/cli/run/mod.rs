@@ -2,6 +2,7 @@
 
 mod advection;
 mod choices;
+mod fields;
 mod gas;
 mod particles;
 mod tube_file;
@@ -40,6 +41,8 @@ pub struct Arguments {
     choices: choices::Choices,
     #[command(flatten)]
     advection: advection::Options,
+    #[command(flatten)]
+    fields: fields::Options,
     /// Directory for profile and figure.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
@@ -66,7 +69,7 @@ struct Family {
     run: fn(&Arguments) -> Result<Outcome, Failure>,
 }
 
-const FAMILIES: [Family; 3] = [advection::FAMILY, gas::FAMILY, particles::FAMILY];
+const FAMILIES: [Family; 4] = [advection::FAMILY, gas::FAMILY, particles::FAMILY, fields::FAMILY];
 
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {
@@ -105,6 +108,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(family) => {
             if !advection::has_scene(&arguments.scene) {
                 arguments.advection.reject(&arguments.scene)?;
+            }
+            if !fields::has_scene(&arguments.scene) {
+                arguments.fields.reject(&arguments.scene)?;
             }
             (family.run)(arguments)
         }
