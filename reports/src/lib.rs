@@ -10,6 +10,7 @@ pub mod cha_whitworth2003;
 pub mod claim;
 pub mod equation_validation;
 pub mod ferrari2008;
+pub mod field_profile;
 pub mod figure;
 pub mod gas_run;
 pub mod latex;

@@ -4,6 +4,7 @@
 pub mod advection;
 pub mod boundary;
 pub mod comparison;
+pub mod field;
 pub mod finite_volume;
 pub mod gravity;
 pub mod lagrangian;

@@ -18,6 +18,8 @@ pub struct PairEnd {
     pub smoothing: f64,
     /// `d(1/ρ)/ds` along the line; zero unless the force asks for it.
     pub volume_slope: f64,
+    /// `|∇·v|/(|∇·v| + |∇×v| + 10⁻⁴ c/h)`; one unless the force asks for it.
+    pub compression: f64,
 }
 
 impl PairEnd {
@@ -52,6 +54,11 @@ pub trait PairForce: Sync {
 
     /// Whether [`PairEnd::volume_slope`] is needed.
     fn needs_volume_slope(&self) -> bool {
+        false
+    }
+
+    /// Whether [`PairEnd::compression`] is needed.
+    fn needs_compression(&self) -> bool {
         false
     }
 

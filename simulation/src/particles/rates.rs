@@ -186,16 +186,24 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             let number = self.neighbours.cells.order[place] as usize;
             dot(&image.reflect(&self.volume_gradient[number]), &direction)
         };
-        let end = |end: &End<D>, velocity: &Vector<D>, volume_slope| PairEnd {
-            density: end.density,
-            pressure: end.pressure,
-            sound_speed: end.sound_speed,
-            velocity: dot(velocity, &direction),
-            smoothing: end.smoothing,
-            volume_slope,
+        let compression = |place: usize| {
+            let number = self.neighbours.cells.order[place] as usize;
+            self.compression[number]
         };
-        let a_end = end(a, &a.velocity, slope(pair.at, &Image::IDENTITY));
-        let b_end = end(b, &velocity, slope(pair.other, pair.image));
+        let end = |place: usize, velocity: &Vector<D>, volume_slope| {
+            let end = &self.ends[place];
+            PairEnd {
+                density: end.density,
+                pressure: end.pressure,
+                sound_speed: end.sound_speed,
+                velocity: dot(velocity, &direction),
+                smoothing: end.smoothing,
+                volume_slope,
+                compression: if self.compression.is_empty() { 1.0 } else { compression(place) },
+            }
+        };
+        let a_end = end(pair.at, &a.velocity, slope(pair.at, &Image::IDENTITY));
+        let b_end = end(pair.other, &velocity, slope(pair.other, pair.image));
         let (left, right) = if is_left { (a_end, b_end) } else { (b_end, a_end) };
         let exchange = force.exchange(&left, &right, distance, &self.sum.kernel)?;
         work.interactions += 1;

@@ -3,7 +3,7 @@
 use super::density::{DensitySum, Positions, Smoothing};
 use super::domain::{Domain, Image};
 use super::gas::Gas;
-use super::neighbours::{Link, Neighbour, Neighbours};
+use super::neighbours::{BLOCK, Link, Neighbour, Neighbours};
 use super::pair_force::PairForce;
 use super::parallel::{fill, first};
 use super::rates::End;
@@ -62,6 +62,7 @@ pub struct ParticleSystem<const D: usize, G: Gas> {
     pub(super) pressure: Vec<f64>,
     pub(super) sound_speed: Vec<f64>,
     pub(super) volume_gradient: Vec<Vector<D>>,
+    pub(super) compression: Vec<f64>,
     pub(super) ends: Vec<End<D>>,
     /// Work done so far.
     pub counters: Counters,
@@ -104,6 +105,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             } else {
                 Vec::new()
             },
+            compression: if force.needs_compression() { vec![1.0; count] } else { Vec::new() },
             ends: Vec::new(),
             counters: Counters::default(),
         }
@@ -228,6 +230,9 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         if !self.volume_gradient.is_empty() {
             self.update_volume_gradients();
         }
+        if !self.compression.is_empty() {
+            self.update_compression();
+        }
         Ok(())
     }
 
@@ -256,6 +261,42 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
                 self.volume_gradient[i] =
                     std::array::from_fn(|axis| (before[axis] + after[axis]) / square);
             }
+        }
+    }
+
+    /// Balsara's factor of the active particles, from `∂_b v_a = Σ m_j (v_j − v_i)_a ∂_b W(r, h_i)/ρ_i`.
+    fn update_compression(&mut self) {
+        let (kernel, state, neighbours) = (&self.sum.kernel, &self.particles, &self.neighbours);
+        let cells = &neighbours.cells;
+        let mut factors = Vec::new();
+        fill(&mut factors, neighbours.active.len(), |rank| {
+            let at = neighbours.active[rank] as usize;
+            let i = cells.order[at] as usize;
+            let h = state.smoothing[i];
+            let mut gradient = [[0.0; D]; D];
+            for neighbour in neighbours.blocks[rank / BLOCK].all(rank % BLOCK) {
+                let (image, other) = (self.image(neighbour), neighbour.other as usize);
+                let j = cells.order[other] as usize;
+                let displacement = image.displacement(&cells.position[at], &cells.position[other]);
+                let distance = dot(&displacement, &displacement).sqrt();
+                if distance > 0.0 {
+                    let weight = -state.mass[j] * kernel.slope(distance, h) / distance;
+                    let velocity = image.reflect(&state.velocity[j]);
+                    for (row, (there, here)) in
+                        gradient.iter_mut().zip(velocity.iter().zip(&state.velocity[i]))
+                    {
+                        *row = plus_scaled(row, weight * (there - here), &displacement);
+                    }
+                }
+            }
+            let divergence = (0..D).map(|a| gradient[a][a]).sum::<f64>().abs();
+            let pairs = (0..D).flat_map(|a| (0..a).map(move |b| (a, b)));
+            let curl: f64 = pairs.map(|(a, b)| (gradient[a][b] - gradient[b][a]).powi(2)).sum();
+            let least = 1e-4 * self.sound_speed[i] / h * self.density[i];
+            divergence / (divergence + curl.sqrt() + least)
+        });
+        for (&at, factor) in neighbours.active.iter().zip(factors) {
+            self.compression[cells.order[at as usize] as usize] = factor;
         }
     }
 

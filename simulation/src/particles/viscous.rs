@@ -24,6 +24,9 @@ pub struct Viscosity {
 pub enum ActsOn {
     /// Approaching pairs, as (8) says.
     Approaching,
+    /// Approaching pairs, and only as much as the gas is compressed and not sheared: with the mean of the pair's
+    /// [`compression`](PairEnd::compression) as a factor (Balsara 1995).
+    Compressing,
     /// Receding pairs too: what a linear analysis assumes (section 4.2 of the paper).
     All,
 }
@@ -37,13 +40,18 @@ impl Viscosity {
     #[inline]
     pub fn term(&self, left: &PairEnd, right: &PairEnd, distance: f64) -> f64 {
         let closing = right.velocity - left.velocity;
-        if closing >= 0.0 && self.acts_on == ActsOn::Approaching {
+        if closing >= 0.0 && self.acts_on != ActsOn::All {
             return 0.0;
         }
+        let share = match self.acts_on {
+            ActsOn::Compressing => 0.5 * (left.compression + right.compression),
+            ActsOn::Approaching | ActsOn::All => 1.0,
+        };
         let h = 0.5 * (left.smoothing + right.smoothing);
         let mu = h * closing * distance / (distance * distance + self.softening * h * h);
         let sound = 0.5 * (left.sound_speed + right.sound_speed);
-        (-self.alpha * sound * mu + self.beta * mu * mu) * 2.0 / (left.density + right.density)
+        share * (-self.alpha * sound * mu + self.beta * mu * mu) * 2.0
+            / (left.density + right.density)
     }
 }
 
@@ -66,6 +74,10 @@ pub struct Smoothed {
 }
 
 impl PairForce for Smoothed {
+    fn needs_compression(&self) -> bool {
+        self.viscosity.acts_on == ActsOn::Compressing
+    }
+
     #[inline]
     fn exchange<K: RadialKernel>(
         &self,

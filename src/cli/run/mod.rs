@@ -2,6 +2,7 @@
 
 mod advection;
 mod choices;
+mod fields;
 mod gas;
 
 use super::output::Format;
@@ -38,6 +39,8 @@ pub struct Arguments {
     choices: choices::Choices,
     #[command(flatten)]
     advection: advection::Options,
+    #[command(flatten)]
+    fields: fields::Options,
     /// Directory for profile and figure.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
@@ -64,7 +67,7 @@ struct Family {
     run: fn(&Arguments) -> Result<Outcome, Failure>,
 }
 
-const FAMILIES: [Family; 2] = [advection::FAMILY, gas::FAMILY];
+const FAMILIES: [Family; 3] = [advection::FAMILY, gas::FAMILY, fields::FAMILY];
 
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {
@@ -103,6 +106,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(family) => {
             if !advection::has_scene(&arguments.scene) {
                 arguments.advection.reject(&arguments.scene)?;
+            }
+            if !fields::has_scene(&arguments.scene) {
+                arguments.fields.reject(&arguments.scene)?;
             }
             (family.run)(arguments)
         }

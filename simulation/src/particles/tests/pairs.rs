@@ -102,6 +102,7 @@ fn pair_in_a_mirror_is_the_mirrored_pair() {
         velocity,
         smoothing,
         volume_slope,
+        compression: 1.0,
     };
     let a = end(1.0, 1.0, 0.4, 0.1, -0.3);
     let b = end(0.3, 0.1, -0.2, 0.13, -0.1);
@@ -127,6 +128,7 @@ fn approaching_pair_heats_and_receding_pair_cools() {
                 velocity,
                 smoothing: 0.1,
                 volume_slope: 0.0,
+                compression: 1.0,
             };
             let (left, right) = (end(0.5 * closing), end(-0.5 * closing));
             let kernel = SmoothingKernel::<1>::new(kernel);
@@ -259,6 +261,7 @@ fn convolution_is_the_integral_it_stands_for() {
         velocity: 0.0,
         smoothing,
         volume_slope,
+        compression: 1.0,
     };
     for (r, h) in [(0.05, 0.1), (0.13, 0.1), (0.2, 0.09)] {
         let (left, right) = (end(1.0, h, 1.5), end(0.7, h, 3.0));

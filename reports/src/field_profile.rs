@@ -1,0 +1,113 @@
+//! Runs in two and three dimensions: the figure, the tables of particles and of measures against time.
+
+use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::number::finite;
+use courant_simulation::field::{FieldFlow, FieldProfile, FieldRun, FieldScene};
+
+/// More particles than this are thinned out in pictures.
+const MOST_MARKERS: usize = 4000;
+const CURVE_POINTS: usize = 600;
+
+/// What is drawn of a flow against what: the sheared velocity across it, or a quantity against the distance from the origin.
+fn coordinates(scene: &FieldScene, profile: &FieldProfile, i: usize) -> (f64, f64) {
+    let (x, v) = (&profile.position, &profile.velocity);
+    let r = x.iter().map(|column| column[i] * column[i]).sum::<f64>().sqrt();
+    match scene.flow {
+        FieldFlow::Shear { .. } => (x[0][i], v[1][i]),
+        FieldFlow::Gresho { .. } => (r, (x[0][i] * v[1][i] - x[1][i] * v[0][i]) / r),
+        FieldFlow::Blast { .. } => (r, profile.density[i]),
+    }
+}
+
+fn labels(scene: &FieldScene) -> [&'static str; 2] {
+    match scene.flow {
+        FieldFlow::Shear { .. } => ["x", "v_y"],
+        FieldFlow::Gresho { .. } => ["r", "v_φ"],
+        FieldFlow::Blast { .. } => ["r", "ρ"],
+    }
+}
+
+/// Particles and the exact solution: a velocity across a shear, around a vortex, or the density of an explosion.
+pub fn profile_panel(scene: &FieldScene, profile: &FieldProfile, time: f64) -> Panel {
+    let [x_label, y_label] = labels(scene);
+    let (from, to) = match scene.flow {
+        FieldFlow::Shear { .. } => (scene.domain[0][0], scene.domain[1][0]),
+        FieldFlow::Gresho { .. } | FieldFlow::Blast { .. } => (0.0, scene.domain[1][0]),
+    };
+    let every = profile.len().div_ceil(MOST_MARKERS).max(1);
+    let points = (0..profile.len()).step_by(every).map(|i| coordinates(scene, profile, i));
+    let solution = scene.solution();
+    let curve = (0..=CURVE_POINTS).filter_map(|k| {
+        let at = from + (to - from) * k as f64 / CURVE_POINTS as f64;
+        let value = match scene.flow {
+            FieldFlow::Shear { .. } => solution.at([at, 0.0], time)?.velocity[1],
+            FieldFlow::Gresho { .. } => solution.at([at, 0.0], time)?.velocity[1],
+            FieldFlow::Blast { .. } => solution.at([at, 0.0, 0.0], time)?.density,
+        };
+        Some((at, value))
+    });
+    let dots = Markers::new(points, Marker::Circle).color(Color::BLUE).size(1.6).label("particles");
+    Panel::new(Axis::linear(x_label).range(from, to), Axis::linear(y_label))
+        .layer(dots)
+        .layer(Line::new(curve.collect::<Vec<_>>()).color(Color::VERMILION).label("exact"))
+}
+
+/// The profile, and the measures of the scene against time.
+pub fn field_figure(scene: &FieldScene, run: &FieldRun) -> Figure {
+    let profile = profile_panel(scene, &run.profile, run.time).title("(a) particles at the end");
+    let mut measures = Panel::new(Axis::linear("t"), Axis::linear("measure")).title("(b) measures");
+    let names = run.history[0].measures.iter().map(|(name, _)| *name).enumerate();
+    for (k, name) in names {
+        let points = run
+            .history
+            .iter()
+            .map(|sample| (sample.time, sample.measures.get(k).map_or(f64::NAN, |m| m.1)));
+        let color =
+            [Color::BLUE, Color::VERMILION, Color::GREEN, Color::PURPLE, Color::BLACK][k % 5];
+        let line = Line::new(points.collect::<Vec<_>>()).color(color).dash(Dash::nth(k));
+        measures = measures.layer(line.label(name.replace('_', " ")));
+    }
+    Figure::grid(1, 2).size(7.0, 3.6).panels([profile, measures]).legend_below()
+}
+
+fn csv(header: &[&str], rows: impl Iterator<Item = Vec<f64>>) -> Vec<u8> {
+    let mut text = header.join(",");
+    text.push('\n');
+    for row in rows {
+        let cell = |value: &f64| finite(*value).map_or_else(String::new, |value| value.to_string());
+        text.push_str(&row.iter().map(cell).collect::<Vec<_>>().join(","));
+        text.push('\n');
+    }
+    text.into_bytes()
+}
+
+/// One line for each particle.
+pub fn profile_csv(profile: &FieldProfile) -> Vec<u8> {
+    let dimension = profile.position.len();
+    let mut header = ["x", "y", "z"][..dimension].to_vec();
+    header.extend(&["velocity_x", "velocity_y", "velocity_z"][..dimension]);
+    header.extend(["density", "pressure", "smoothing_length"]);
+    if !profile.energy.is_empty() {
+        header.push("energy");
+    }
+    let row = |i: usize| {
+        let vectors = profile.position.iter().chain(&profile.velocity).map(|column| column[i]);
+        let mut row: Vec<f64> = vectors.collect();
+        row.extend([profile.density[i], profile.pressure[i], profile.smoothing[i]]);
+        row.extend(profile.energy.get(i));
+        row
+    };
+    csv(&header, (0..profile.len()).map(row))
+}
+
+/// One line for each sample of the measures.
+pub fn history_csv(run: &FieldRun) -> Vec<u8> {
+    let mut header = vec!["time"];
+    header.extend(run.history[run.history.len() - 1].measures.iter().map(|(name, _)| *name));
+    let row = |sample: &courant_simulation::field::Sample| {
+        std::iter::once(sample.time)
+            .chain(sample.measures.iter().map(|(_, value)| *value))
+            .collect()
+    };
+    csv(&header, run.history.iter().map(row))
+}
