@@ -107,8 +107,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
         };
         let found = search_within(&inequality.margin, &end, &known, plan);
         result.work += found.work;
-        let inside = |value: f64| value < interval.to.upper();
-        result.undecided.extend(found.undecided.iter().filter(|(from, _)| inside(*from)));
+        result.undecided.extend(found.undecided);
         if let Some(wave) = found.immediately_unstable
             && interval.from.upper() == 0.0
             && result.immediately_unstable.is_none()
