@@ -2,6 +2,7 @@
 
 mod advection;
 mod choices;
+mod clouds;
 mod gas;
 mod particles;
 mod tube_file;
@@ -66,7 +67,8 @@ struct Family {
     run: fn(&Arguments) -> Result<Outcome, Failure>,
 }
 
-const FAMILIES: [Family; 3] = [advection::FAMILY, gas::FAMILY, particles::FAMILY];
+const FAMILIES: [Family; 4] =
+    [advection::FAMILY, gas::FAMILY, particles::FAMILY, clouds::FAMILY];
 
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {
