@@ -46,17 +46,21 @@ fn exact(cloud: &Cloud, time: f64, value: impl Fn(f64, [f64; 2]) -> f64) -> Opti
 /// `r·v` against `r`.
 pub fn radial_flow_panel(cloud: &Cloud, snapshot: &Snapshot) -> Panel {
     let points = by_radius(snapshot).into_iter().map(|[r, u, _]| (r, r * u)).collect();
-    Panel::new(Axis::linear("r"), Axis::linear("r·v"))
-        .layer(markers(points))
-        .layers(exact(cloud, snapshot.time, |r, [u, _]| r * u))
+    Panel::new(Axis::linear("r"), Axis::linear("r·v")).layer(markers(points)).layers(exact(
+        cloud,
+        snapshot.time,
+        |r, [u, _]| r * u,
+    ))
 }
 
 /// Density against radius, both logarithmic.
 pub fn density_panel(cloud: &Cloud, snapshot: &Snapshot) -> Panel {
     let points = by_radius(snapshot).into_iter().map(|[r, _, density]| (r, density)).collect();
-    Panel::new(Axis::log("r"), Axis::log("ρ"))
-        .layer(markers(points))
-        .layers(exact(cloud, snapshot.time, |_, [_, density]| density))
+    Panel::new(Axis::log("r"), Axis::log("ρ")).layer(markers(points)).layers(exact(
+        cloud,
+        snapshot.time,
+        |_, [_, density]| density,
+    ))
 }
 
 /// Mass of the core over that of the cloud, and accretion rate in `c³/G`, against time in collapse times; `None`
@@ -97,7 +101,10 @@ pub fn energy_panel(run: &CloudRun) -> Option<Panel> {
         ("total", Color::BLACK, |e| e.total().unwrap_or(f64::NAN)),
     ];
     let lines = curves.map(|(name, color, value)| {
-        Line::new(run.energies.iter().map(|e| (e.time, value(e)))).color(color).width(1.1).label(name)
+        Line::new(run.energies.iter().map(|e| (e.time, value(e))))
+            .color(color)
+            .width(1.1)
+            .label(name)
     });
     Some(Panel::new(Axis::linear("t"), Axis::linear("energy")).layers(lines))
 }

@@ -40,7 +40,7 @@ fn run(cloud: &Cloud, method: ParticleMethod, count: usize) -> CloudRun {
     let (collapse, start) = (cloud.collapse_time(), cloud.wave_start());
     let (collapse, start) = collapse.zip(start).expect("it is isothermal and has a sink");
     let times = TIMES.map(|time| time * collapse - start);
-    let options = cloud_options(MethodOptions::new(method));
+    let options = cloud_options(cloud, MethodOptions::new(method));
     run_cloud(cloud, count, &options, &times, &mut |_| ControlFlow::Continue(()))
         .expect("the report's options are in range")
 }
@@ -57,7 +57,8 @@ pub fn sections(detail: Detail) -> Vec<Section> {
         .map(|(count, method)| (count, method, run(&long, METHODS[method].0, count)))
         .collect();
     let largest = counts(detail)[counts(detail).len() - 1];
-    let mut items = vec![explained(&long, counts(detail)[0]), table_5(&long), results(&long, &runs)];
+    let mut items =
+        vec![explained(&long, counts(detail)[0]), table_5(&long), results(&long, &runs)];
     let shown = runs.iter().filter(|(count, ..)| *count == largest);
     for kind in 0..3 {
         for (count, method, run) in shown.clone() {
@@ -103,9 +104,19 @@ fn table_5(scene: &Cloud) -> Item {
     let rows = vec![
         cells!["mass of the cloud", "1.0 solar masses", "1.989e33 g", here(scene.mass)],
         cells!["its radius", "10⁻² pc", "3.0857e16 cm", here(scene.radius)],
-        cells!["temperature", "57.3219 K", format!("with {weight:.2} hydrogen masses a molecule"), "–"],
+        cells![
+            "temperature",
+            "57.3219 K",
+            format!("with {weight:.2} hydrogen masses a molecule"),
+            "–"
+        ],
         cells!["sound speed √(GM/2R)", "4.63586e4 cm/s", format!("{sound:.5e} cm/s"), "1"],
-        cells!["density at the edge", "5.38773e-18 g/cm³", format!("{density:.5e} g/cm³"), here(edge)],
+        cells![
+            "density at the edge",
+            "5.38773e-18 g/cm³",
+            format!("{density:.5e} g/cm³"),
+            here(edge)
+        ],
         cells![
             "pressure at the edge",
             "1.15789e-8 dyn/cm²",
@@ -176,7 +187,8 @@ fn figure(
         _ => {
             let times = &run.snapshots[..TIMES.len().min(run.snapshots.len())];
             let panels = times.iter().map(|snapshot| {
-                density_panel(scene, snapshot).title(format!("t = {:.2} t collapse", since(snapshot)))
+                density_panel(scene, snapshot)
+                    .title(format!("t = {:.2} t collapse", since(snapshot)))
             });
             let figure = Figure::grid(3, 2).size(6.6, 7.4).panels(panels).legend_below();
             let data = times.iter().enumerate();
@@ -184,7 +196,6 @@ fn figure(
             (figure, data)
         }
     };
-    let rate = or_dash(run.accretion_rate(scene), 3);
     let mut caption = words!["method" = title, "particles" = count].to_vec();
     if kind == 0 {
         caption.push(("rate", or_dash(run.accretion_rate(scene), 3)));

@@ -129,7 +129,8 @@ impl CloudRun {
                 let core = cloud.edge_time().and_then(|most| {
                     self.core.iter().rfind(|core| core[0] <= most * (1.0 + 1e-9)).copied()
                 });
-                let exact = cloud.sink.zip(core).and_then(|(radius, core)| cloud.wave(radius, core[0]));
+                let exact =
+                    cloud.sink.zip(core).and_then(|(radius, core)| cloud.wave(radius, core[0]));
                 add(
                     "core_mass_error",
                     core.zip(exact).map(|(core, e)| (core[1] / e.mass - 1.0).abs()),

@@ -29,7 +29,7 @@ fn scenes() -> Vec<Entry> {
     Cloud::all().iter().map(entry).collect()
 }
 
-fn options(arguments: &Arguments) -> Result<MethodOptions, Failure> {
+fn options(arguments: &Arguments, cloud: &Cloud) -> Result<MethodOptions, Failure> {
     let all = ParticleMethod::ALL.map(ParticleMethod::name);
     let Some(name) = &arguments.method else {
         let (scene, all) = (&arguments.scene, all.join(", "));
@@ -37,7 +37,7 @@ fn options(arguments: &Arguments) -> Result<MethodOptions, Failure> {
     };
     let method =
         ParticleMethod::named(name).ok_or_else(|| no_method(name, &arguments.scene, &all))?;
-    let mut options = cloud_options(MethodOptions::new(method));
+    let mut options = cloud_options(cloud, MethodOptions::new(method));
     if let Some(kernel) = arguments.kernel {
         options.kernel = kernel;
     }
@@ -70,7 +70,9 @@ fn options(arguments: &Arguments) -> Result<MethodOptions, Failure> {
 fn invalid(error: InvalidMethodOptions) -> Failure {
     Failure::Message(match error {
         InvalidMethodOptions::Kernel(kernel) => {
-            format!("--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian")
+            format!(
+                "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
+            )
         }
         InvalidMethodOptions::Particles(count) => {
             format!("--particles {count}: a sphere needs at least 100")
@@ -118,7 +120,9 @@ fn record(
     let mut warnings = Vec::new();
     if let Some(drift) = energy.filter(|drift| *drift > 0.05) {
         let drift = significant(100.0 * drift, 2);
-        warnings.push(format!("the total energy has changed by {drift} %: a smaller --cfl keeps it better"));
+        warnings.push(format!(
+            "the total energy has changed by {drift} %: a smaller --cfl keeps it better"
+        ));
     }
     CloudRecord {
         run: RunRecord {
@@ -178,12 +182,11 @@ fn table(record: &CloudRecord) -> Table {
 }
 
 fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let mut cloud =
-        Cloud::named(&arguments.scene).expect("the family answers for its own scenes");
+    let mut cloud = Cloud::named(&arguments.scene).expect("the family answers for its own scenes");
     if let Some(time) = &arguments.time {
         cloud.end_time = to_f64(time);
     }
-    let options = options(arguments)?;
+    let options = options(arguments, &cloud)?;
     let particles = arguments.particles.unwrap_or(cloud.particles);
     // Few particles are refused before the directory is made.
     if particles < 100 {

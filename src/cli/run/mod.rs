@@ -67,8 +67,7 @@ struct Family {
     run: fn(&Arguments) -> Result<Outcome, Failure>,
 }
 
-const FAMILIES: [Family; 4] =
-    [advection::FAMILY, gas::FAMILY, particles::FAMILY, clouds::FAMILY];
+const FAMILIES: [Family; 4] = [advection::FAMILY, gas::FAMILY, particles::FAMILY, clouds::FAMILY];
 
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {
