@@ -7,7 +7,10 @@ use std::ops::ControlFlow;
 fn options(method: ParticleMethod, levels: u32) -> MethodOptions {
     MethodOptions {
         sharing: StepSharing::Block { levels },
-        ..cloud_options(&Cloud::named("evrard").expect("it is in the list"), MethodOptions::new(method))
+        ..cloud_options(
+            &Cloud::named("evrard").expect("it is in the list"),
+            MethodOptions::new(method),
+        )
     }
 }
 
