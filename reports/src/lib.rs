@@ -8,6 +8,7 @@ pub mod advection_validation;
 pub mod certificate_file;
 pub mod cha_whitworth2003;
 pub mod claim;
+pub mod cloud_profile;
 pub mod equation_validation;
 pub mod ferrari2008;
 pub mod field_profile;

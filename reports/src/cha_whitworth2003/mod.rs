@@ -1,6 +1,7 @@
 //! Cha & Whitworth 2003: "Implementations and tests of Godunov-type particle hydrodynamics", Monthly Notices of the
 //! Royal Astronomical Society 340, 73–90.
 
+mod collapse;
 pub mod dispersion;
 pub mod particle_tests;
 pub mod published;
@@ -24,5 +25,6 @@ pub fn text() -> &'static PaperText {
 pub fn parts(detail: Detail) -> Vec<Part> {
     let mut parts = dispersion::parts(detail);
     parts.push(Part::new("particle tests", move || Ok(particle_tests::sections(detail))));
+    parts.push(Part::new("collapse", move || Ok(collapse::sections(detail))));
     parts
 }

@@ -7,6 +7,7 @@ use crate::riemann::IdealGas;
 use crate::scene::Material;
 use serde::Deserialize;
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::LazyLock;
 
 /// The gas of a cloud.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -155,14 +156,17 @@ const FILES: [&str; 4] = [
 
 impl Cloud {
     /// All clouds in the tree.
-    pub fn all() -> Vec<Self> {
-        let read = |text| Self::read(text).expect("the scenes in the tree are tested");
-        FILES.into_iter().map(read).collect()
+    pub fn all() -> &'static [Self] {
+        static ALL: LazyLock<Vec<Cloud>> = LazyLock::new(|| {
+            let read = |text| Cloud::read(text).expect("the scenes in the tree are tested");
+            FILES.into_iter().map(read).collect()
+        });
+        &ALL
     }
 
     /// The cloud of that name.
     pub fn named(name: &str) -> Option<Self> {
-        Self::all().into_iter().find(|cloud| cloud.name == name)
+        Self::all().iter().find(|cloud| cloud.name == name).cloned()
     }
 
     /// A cloud from a file's text.

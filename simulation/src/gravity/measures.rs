@@ -33,6 +33,11 @@ impl Cloud {
         Some(HEAD_TIME * self.collapse_time()? - self.wave_start()?)
     }
 
+    /// When the wave reaches the edge, in the time simulated.
+    fn edge_time(&self) -> Option<f64> {
+        Some(self.radius / self.sound_speed()? - self.wave_start()?)
+    }
+
     pub(super) fn head(&self, snapshot: &Snapshot) -> Option<Head> {
         let (sound, since) = (self.sound_speed()?, snapshot.time + self.wave_start()?);
         let mut all = snapshot.radial();
@@ -120,8 +125,12 @@ impl CloudRun {
         let last = self.snapshots.last();
         match cloud.known {
             Some(Known::ExpansionWave) => {
-                let core = self.core.last().copied();
-                let exact = cloud.sink.and_then(|radius| cloud.wave(radius, self.time));
+                // Until the wave reaches the edge.
+                let core = cloud.edge_time().and_then(|most| {
+                    self.core.iter().rfind(|core| core[0] <= most * (1.0 + 1e-9)).copied()
+                });
+                let exact =
+                    cloud.sink.zip(core).and_then(|(radius, core)| cloud.wave(radius, core[0]));
                 add(
                     "core_mass_error",
                     core.zip(exact).map(|(core, e)| (core[1] / e.mass - 1.0).abs()),

@@ -2,6 +2,7 @@
 
 mod advection;
 mod choices;
+mod clouds;
 mod fields;
 mod gas;
 
@@ -67,7 +68,7 @@ struct Family {
     run: fn(&Arguments) -> Result<Outcome, Failure>,
 }
 
-const FAMILIES: [Family; 3] = [advection::FAMILY, gas::FAMILY, fields::FAMILY];
+const FAMILIES: [Family; 4] = [advection::FAMILY, gas::FAMILY, fields::FAMILY, clouds::FAMILY];
 
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {
