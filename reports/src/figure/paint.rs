@@ -176,11 +176,13 @@ impl Frame<'_> {
         field.on(x, field.y.iter().map(|&y| self.at([f64::NAN, y])[1].clamp(top, bottom)).collect())
     }
 
-    /// The lines of one value of a field, without specks: islands no larger than a letter.
-    pub(super) fn isolines(&self, field: &Field, level: f64) -> Vec<Vec<Point>> {
-        let lines = self.field(field).isolines(level);
+    /// The lines of each value of a field, without specks: islands no larger than a letter.
+    pub(super) fn isolines(&self, field: &Field, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
         let far = |line: &&Vec<Point>| line.iter().any(|&p| distance(p, line[0]) > 6.0 * POINT);
-        lines.iter().filter(far).map(|line| simplify(line, TOLERANCE)).collect()
+        let lines_of = |lines: Vec<Vec<Point>>| {
+            lines.iter().filter(far).map(|line| simplify(line, TOLERANCE)).collect()
+        };
+        self.field(field).isolines(levels).into_iter().map(lines_of).collect()
     }
 }
 
@@ -225,10 +227,10 @@ fn bands<DB: DrawingBackend>(
     let below = bands.below.map(|color| (f64::NEG_INFINITY, color));
     let inner = bands.edges.iter().copied().zip(bands.colors.iter().copied());
     let above = bands.above.map(|color| (last, color));
-    let all = below.into_iter().chain(inner).chain(above);
-    for (level, color) in all {
-        let rings = field.region(level).into_iter();
-        let rings: Vec<_> = rings.map(|ring| simplify(&ring, TOLERANCE)).collect();
+    let (levels, colors): (Vec<f64>, Vec<Color>) =
+        below.into_iter().chain(inner).chain(above).unzip();
+    for (rings, color) in field.regions(&levels).into_iter().zip(colors) {
+        let rings: Vec<_> = rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect();
         if !rings.is_empty() {
             fill(canvas, &rings, color)?;
         }
@@ -243,10 +245,11 @@ fn isolines<DB: DrawingBackend>(
     labels: &mut Obstacles,
 ) -> Drawn<DB> {
     let pen = Pen::solid(isolines.color, isolines.width);
-    for &level in &isolines.levels {
+    let lines = frame.isolines(&isolines.field, &isolines.levels);
+    for (&level, lines) in isolines.levels.iter().zip(lines) {
         let value = format_number(level);
         let width = text::width(&value, ISOLINE_SIZE * POINT);
-        for line in frame.isolines(&isolines.field, level) {
+        for line in lines {
             stroke(canvas, &line, pen)?;
             if let Some(place) = isolines.values.then(|| labels.place(&line, width)).flatten() {
                 letters(canvas, &value, ISOLINE_SIZE, place)?;
