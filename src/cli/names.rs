@@ -60,7 +60,8 @@ pub fn elsewhere(name: &str, option: Option<Kind>) -> Option<String> {
     {
         "it runs scenes (courant run), and its waves have no relation here"
     } else {
-        let wcsph = "weakly compressible SPH is sph or sph-av with --eos tait:P0";
+        let wcsph =
+            "there is no such method: weakly compressible SPH is sph or sph-av with --eos tait:P0";
         return spells(name, "wcsph").then(|| wcsph.into());
     };
     Some(known.into())

@@ -138,7 +138,7 @@ impl MethodName {
 pub fn method(text: &str) -> Result<MethodName, String> {
     let found = MethodName::ALL.into_iter().find(|method| spells(text, method.name()));
     found.ok_or_else(|| match names::elsewhere(text, Some(Kind::Method)) {
-        Some(what) => format!("there is no such method: {what}"),
+        Some(what) => what,
         None => names::unknown("method", text, &MethodName::ALL.map(MethodName::name)),
     })
 }

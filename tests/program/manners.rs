@@ -150,6 +150,9 @@ fn a_method_that_serves_something_else_is_known() {
         assert_eq!((output.status.code(), error.lines().count()), (Some(2), 1), "{error}");
         assert!(words.iter().all(|word| error.contains(word)), "{arguments:?}: {error}");
         assert!(!error.contains("sph-av`"), "{error}");
+        // What exists is not said not to.
+        let unknown = arguments.iter().any(|name| ["wcsph", "sph-adka"].contains(name));
+        assert_eq!(error.contains("no such"), unknown, "{error}");
     }
 }
 

@@ -24,7 +24,9 @@ pub fn parts(detail: Detail) -> Vec<Part> {
         Part::new("waves by kernel", move || {
             section("title_kernels", vec![kernel_curves::item()?])
         }),
-        Part::new("time steps", move || section("title_integrators", integrator_table::items()?)),
+        Part::new("time steps", move || {
+            section("title_integrators", integrator_table::items(detail)?)
+        }),
         Part::new("maps of time steps", move || {
             section("title_step_maps", vec![step_maps::item(detail)?])
         }),
@@ -69,7 +71,7 @@ mod tests {
         for error in ["+6.4 %", "+7.9 %", "-4.3 %", "-22.2 %"] {
             assert!(caption.contains(error), "{caption}");
         }
-        let tables = integrator_table::items().unwrap();
+        let tables = integrator_table::items(Detail::Standard).unwrap();
         let Item::Table { table, .. } = &tables[1] else { panic!("no table") };
         let csv = table.to_csv();
         // At h = Δ: ω0² ≤ 8 c²/Δ², leapfrog 2/√8, RK4 √8/√8; and the fractions at 6/5.

@@ -382,7 +382,7 @@ fn scheme_file(kind: Kind, name: &str, all: &[SchemeFile]) -> Result<Arc<SchemeF
         };
         let entries = all.iter().map(|file| (file.name.as_str(), file.name.as_str()));
         if let Some(elsewhere) = names::elsewhere(name, Some(kind)) {
-            return format!("there is no such {what}: {elsewhere}; see courant list {topic}");
+            return format!("{elsewhere}; see courant list {topic}");
         }
         names::unknown_among(what, name, entries, topic)
     })

@@ -45,7 +45,7 @@ fn figure_1(criterion: &mut Criterion) {
 
 /// The NumPy script and the sweep in turn, on whatever else the machine does.
 fn beside_numpy() {
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../benches/numpy/figure1.py");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/numpy/figure1.py");
     let (mut numpy, mut here) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..RUNS {
         let output = Command::new("python3").arg(script).env("OPENBLAS_NUM_THREADS", "1").output();

@@ -1,0 +1,1 @@
+//! The benches: each states its operations and what it is set against.
