@@ -1,4 +1,4 @@
-//! Waves of particle methods as a user meets them: `dispersion`, `limits`, `check`, `map`, `report`.
+//! Waves of particle methods as a user meets them: `dispersion`, `limits`, `check`, `map`.
 
 use assert_cmd::Command;
 use courant::analysis::scheme::catalogue::PARTICLE_INTEGRATORS;
@@ -201,32 +201,4 @@ fn the_lists_name_integrators_and_wave_methods() {
         assert!(names("methods").contains(&method.to_owned()));
     }
     assert!(names("figures").iter().any(|name| name.ends_with("figure_05")));
-}
-
-#[test]
-fn the_report_is_written_whole() {
-    let place = tempfile::tempdir().unwrap();
-    let out = place.path().to_str().unwrap();
-    let output = courant(&format!("report cha-whitworth2003 --quick --out {out}"));
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    for file in [
-        "index.html",
-        "figure_02.png",
-        "figure_03.svg",
-        "figure_04.csv",
-        "figure_05.png",
-        "integrator_table.csv",
-    ] {
-        assert!(place.path().join(file).exists(), "{file}");
-    }
-    // Whatever fonts the reader's LaTeX has.
-    let mut tables = 0;
-    for entry in std::fs::read_dir(place.path()).unwrap() {
-        let path = entry.unwrap().path();
-        if path.extension().is_some_and(|end| end == "tex") {
-            tables += 1;
-            assert!(std::fs::read(&path).unwrap().is_ascii(), "{}", path.display());
-        }
-    }
-    assert!(tables >= 10, "{tables}");
 }

@@ -30,7 +30,6 @@
 //! all of them one; `and` joins comparisons to one condition.
 
 use crate::number::significant;
-use crate::table::{Align, Table};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -346,15 +345,11 @@ fn written(value: f64, format: &str) -> Option<String> {
     })
 }
 
-/// The claims with what became of them.
-pub fn table(caption: &str, judged: &[Judged<'_>]) -> Table {
-    let columns =
-        ["where", "the paper says", "measured", "verdict"].map(|name| (name, Align::Left));
-    let mut table = Table::new(caption, &columns);
-    for Judged { claim, shown, verdict } in judged {
-        table.push([&claim.place, &claim.text, shown, verdict.name()]);
-    }
-    table
+/// The rows of a table: where a claim stands, the claim, its numbers, and what became of it.
+pub fn rows(judged: &[Judged<'_>]) -> impl Iterator<Item = Vec<String>> {
+    judged.iter().map(|Judged { claim, shown, verdict }| {
+        vec![claim.place.clone(), claim.text.clone(), shown.clone(), verdict.name().into()]
+    })
 }
 
 #[cfg(test)]

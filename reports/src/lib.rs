@@ -16,6 +16,8 @@ mod markup;
 pub mod npy;
 pub mod number;
 pub mod page;
+pub mod paper_text;
+pub mod part;
 pub mod particle_profile;
 pub mod particle_validation;
 pub mod plane_map;
@@ -25,28 +27,17 @@ pub mod run_record;
 pub mod stability_map;
 pub mod step_map;
 pub mod table;
+pub mod timing;
 pub mod wave_curves;
 pub mod wave_map;
 
 /// A table or figure of a report, for listing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CatalogueItem {
+pub struct CatalogueItem<'a> {
     /// The name of its files.
-    pub name: &'static str,
+    pub name: &'a str,
     /// What it shows.
-    pub description: &'static str,
+    pub description: &'a str,
     /// The paper and its number there.
-    pub source: &'static str,
-}
-
-/// Every table and figure a report makes.
-pub fn catalogue() -> impl Iterator<Item = &'static CatalogueItem> {
-    [
-        ferrari2008::CATALOGUE,
-        ferrari2008::section_3::CATALOGUE,
-        cha_whitworth2003::dispersion::CATALOGUE,
-        cha_whitworth2003::particle_tests::CATALOGUE,
-    ]
-    .into_iter()
-    .flatten()
+    pub source: &'a str,
 }

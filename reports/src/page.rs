@@ -3,8 +3,8 @@
 
 use crate::figure::{Figure, FigureError};
 use crate::markup::escaped;
-use crate::publish::{OutputDirectory, PublishError};
 use crate::table::Table;
+use rayon::prelude::*;
 
 /// One thing a report shows.
 #[derive(Debug, Clone)]
@@ -35,6 +35,16 @@ pub enum Item {
     },
 }
 
+impl Item {
+    /// The item with another command that makes it again.
+    pub fn made_by(mut self, by: String) -> Self {
+        if let Self::Table { command, .. } | Self::Figure { command, .. } = &mut self {
+            *command = by;
+        }
+        self
+    }
+}
+
 /// A titled part of a report.
 #[derive(Debug, Clone)]
 pub struct Section {
@@ -53,17 +63,6 @@ pub struct Page {
     pub sections: Vec<Section>,
 }
 
-/// Why a report could not be written.
-#[derive(Debug, thiserror::Error)]
-pub enum PageError {
-    /// A picture could not be drawn.
-    #[error(transparent)]
-    Figure(#[from] FigureError),
-    /// A file could not be written.
-    #[error(transparent)]
-    Publish(#[from] PublishError),
-}
-
 const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1a1a1a}\
 h1{font-size:1.7rem}h2{font-size:1.3rem;margin-top:2.5rem;border-bottom:1px solid #ccc}\
 table{border-collapse:collapse;margin:.5rem 0;font-variant-numeric:tabular-nums}\
@@ -71,63 +70,33 @@ th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid #e2e2e2}th{bor
 .number{text-align:right}img{max-width:100%;height:auto}figure{margin:1rem 0}\
 figcaption,.caption{color:#333}code{background:#f3f3f3;padding:.1rem .3rem;border-radius:3px}.files{font-size:.9rem;color:#555}";
 
-/// Takes the sections of a report one by one, as they are finished.
-pub type Publish<'a> = dyn FnMut(Section) -> Result<(), PageError> + 'a;
-
-/// A page written while it is made: who interrupts the work keeps the files of every finished section.
-#[derive(Debug)]
-pub struct PageWriter<'a> {
-    output: &'a OutputDirectory,
-    page: Page,
-    files: usize,
-}
-
-impl<'a> PageWriter<'a> {
-    /// A page without sections; nothing is written yet.
-    pub fn new(output: &'a OutputDirectory, title: impl Into<String>) -> Self {
-        Self { output, page: Page { title: title.into(), sections: Vec::new() }, files: 0 }
-    }
-
-    /// Writes the tables and figures of the next section, each file whole.
+impl Section {
+    /// The files of its tables and figures, with their contents; pictures are drawn side by side.
     ///
     /// # Errors
-    /// When a figure cannot be drawn or a file cannot be written.
-    pub fn add(&mut self, section: Section) -> Result<(), PageError> {
-        let (output, files) = (self.output, &mut self.files);
-        let mut write = |name: &str, bytes: &[u8]| -> Result<(), PublishError> {
-            *files += 1;
-            output.write(name, bytes).map(drop)
-        };
-        for item in &section.items {
-            match item {
-                Item::Paragraph(_) => {}
-                Item::Table { name, table, .. } => {
-                    write(&format!("{name}.csv"), table.to_csv().as_bytes())?;
-                    write(&format!("{name}.tex"), table.to_latex().as_bytes())?;
-                    write(&format!("{name}.md"), table.to_markdown().as_bytes())?;
-                }
+    /// When a figure cannot be drawn.
+    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, FigureError> {
+        let files: Result<Vec<_>, FigureError> = self
+            .items
+            .par_iter()
+            .map(|item| match item {
+                Item::Paragraph(_) => Ok(Vec::new()),
+                Item::Table { name, table, .. } => Ok(vec![
+                    (format!("{name}.csv"), table.to_csv().into_bytes()),
+                    (format!("{name}.tex"), table.to_latex().into_bytes()),
+                    (format!("{name}.md"), table.to_markdown().into_bytes()),
+                ]),
                 Item::Figure { name, figure, data, .. } => {
-                    write(&format!("{name}.png"), &figure.png()?)?;
-                    write(&format!("{name}.svg"), figure.svg()?.as_bytes())?;
-                    for (file, bytes) in data {
-                        write(file, bytes)?;
-                    }
+                    let mut files = vec![
+                        (format!("{name}.png"), figure.png()?),
+                        (format!("{name}.svg"), figure.svg()?.into_bytes()),
+                    ];
+                    files.extend(data.iter().cloned());
+                    Ok(files)
                 }
-            }
-        }
-        self.page.sections.push(section);
-        Ok(())
-    }
-
-    /// Writes the two index pages and returns how many files there are. They come last, so that they never name a
-    /// file that is not there.
-    ///
-    /// # Errors
-    /// When a file cannot be written.
-    pub fn finish(self) -> Result<usize, PageError> {
-        self.output.write("index.md", self.page.to_markdown().as_bytes())?;
-        self.output.write("index.html", self.page.to_html().as_bytes())?;
-        Ok(self.files + 2)
+            })
+            .collect();
+        Ok(files?.into_iter().flatten().collect())
     }
 }
 
@@ -212,6 +181,8 @@ fn links<'a>(
 mod tests {
     use super::*;
     use crate::figure::{Axis, Line, Panel};
+    use crate::part::{Part, publish};
+    use crate::publish::OutputDirectory;
     use crate::table::Align;
 
     #[test]
@@ -236,17 +207,17 @@ mod tests {
         };
         let place = tempfile::tempdir().unwrap();
         let output = OutputDirectory::open(place.path()).unwrap();
-        let mut page = PageWriter::new(&output, "A & B");
-        page.add(section).unwrap();
-        // Who stops here has the files of the section, and no page that lacks any.
+        let parts = vec![Part::new("a part", move || Ok(vec![section]))];
+        let count = publish(parts, "A & B", &output, &|_, _| ()).unwrap();
         let mut files: Vec<String> = std::fs::read_dir(place.path())
             .unwrap()
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
             .collect();
         files.sort();
-        assert_eq!(files, ["f.csv", "f.png", "f.svg", "t.csv", "t.md", "t.tex"]);
-        let count = page.finish().unwrap();
-        assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), count);
+        let wanted =
+            ["f.csv", "f.png", "f.svg", "index.html", "index.md", "t.csv", "t.md", "t.tex"];
+        assert_eq!(files, wanted);
+        assert_eq!(count, wanted.len());
         let html = std::fs::read_to_string(place.path().join("index.html")).unwrap();
         assert!(html.contains("A &amp; B") && html.contains("x &lt; y"));
         for link in html.split("href=\"").chain(html.split("src=\"")).skip(1) {

@@ -5,7 +5,6 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use courant::analysis::scheme::SchemeError;
 use courant::reports::ferrari2008::ReportError;
 use courant::reports::figure::FigureError;
-use courant::reports::page::PageError;
 use courant::reports::publish::PublishError;
 
 /// Why a command gave no result.
@@ -42,19 +41,10 @@ impl From<PublishError> for Failure {
     }
 }
 
-impl From<PageError> for Failure {
-    fn from(error: PageError) -> Self {
-        match error {
-            PageError::Publish(error) => error.into(),
-            PageError::Figure(error) => error.into(),
-        }
-    }
-}
-
 impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
         match error {
-            ReportError::Page(error) => error.into(),
+            ReportError::Publish(error) => error.into(),
             other => Self::Message(other.to_string()),
         }
     }

@@ -126,19 +126,11 @@ impl Topic {
 
 /// The tables and figures; a name that two papers use carries the paper.
 fn figures() -> Vec<Entry> {
-    let papers = [
-        ("ferrari2008", [ferrari2008::CATALOGUE, ferrari2008::section_3::CATALOGUE]),
-        (
-            "cha-whitworth2003",
-            [
-                cha_whitworth2003::dispersion::CATALOGUE,
-                cha_whitworth2003::particle_tests::CATALOGUE,
-            ],
-        ),
-    ];
+    let papers =
+        [("ferrari2008", ferrari2008::text()), ("cha-whitworth2003", cha_whitworth2003::text())];
     let all: Vec<_> = papers
         .iter()
-        .flat_map(|(paper, parts)| parts.iter().copied().flatten().map(move |item| (*paper, item)))
+        .flat_map(|(paper, text)| text.catalogue().map(move |item| (*paper, item)))
         .collect();
     let shared = |paper: &str, name: &str| {
         all.iter().any(|(other, item)| item.name == name && *other != paper)

@@ -2,6 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::ops::ControlFlow;
+use std::time::Duration;
 
 /// A bar that follows a sweep's callback.
 pub struct Bar(ProgressBar);
@@ -22,6 +23,17 @@ impl Bar {
         self.0.set_length(all as u64);
         self.0.set_position(done as u64);
         ControlFlow::Continue(())
+    }
+
+    /// What is being done; the clock of the bar runs meanwhile, however long it takes.
+    pub fn doing(&self, what: String) {
+        self.0.enable_steady_tick(Duration::from_millis(200));
+        self.0.set_message(what);
+    }
+
+    /// Whether nobody sees it.
+    pub fn is_hidden(&self) -> bool {
+        self.0.is_hidden()
     }
 
     /// The callback of a march: the time simulated.

@@ -6,9 +6,12 @@ use super::{Failure, Outcome};
 use clap::{Args, ValueEnum};
 use courant::reports::cha_whitworth2003;
 use courant::reports::ferrari2008::{self, Detail, Table1};
-use courant::reports::page::PageWriter;
+use courant::reports::page::Item;
+use courant::reports::part::{Stage, publish};
 use courant::reports::publish::OutputDirectory;
+use rayon::prelude::*;
 use std::path::PathBuf;
+use std::sync::Mutex;
 
 /// The papers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -30,62 +33,91 @@ pub struct Arguments {
     /// Directory for the files.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
-    /// Coarse grids: a quick look.
-    #[arg(long)]
+    /// Coarse grids and short studies: a first look, in seconds.
+    #[arg(long, conflicts_with = "full")]
     quick: bool,
+    /// Long studies at their full sizes: minutes.
+    #[arg(long)]
+    full: bool,
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let output = OutputDirectory::open(&arguments.out)?;
-    let detail = if arguments.quick { Detail::Quick } else { Detail::Full };
-    match arguments.paper {
-        Paper::Ferrari2008 => report_on_ferrari(&output, detail),
-        Paper::ChaWhitworth2003 => report_on_cha_whitworth(&output, detail),
-        Paper::All => {
-            let part = |name: &str| OutputDirectory::open(&output.path().join(name));
-            report_on_ferrari(&part("ferrari2008")?, detail)?;
-            report_on_cha_whitworth(&part("cha-whitworth2003")?, detail)?;
-            write_contents(&output)
-        }
-    }
-}
-
-fn report_on_ferrari(output: &OutputDirectory, detail: Detail) -> Result<Outcome, Failure> {
+    let detail = match (arguments.quick, arguments.full) {
+        (true, _) => Detail::Quick,
+        (_, true) => Detail::Full,
+        _ => Detail::Standard,
+    };
     let table = Table1::compute();
-    // The tables come first: they are there before the figures are drawn.
-    let mut text = String::new();
-    for table in [table.exact_table(), table.published_table(), table.difference_table()] {
-        text.push_str(&format!("{}\n", table.to_text()));
+    if arguments.paper != Paper::ChaWhitworth2003 {
+        // The tables come first: they are there before the figures are drawn.
+        let mut text = String::new();
+        for item in table.tables() {
+            if let Item::Table { table, .. } = item {
+                text.push_str(&format!("{}\n", table.to_text()));
+            }
+        }
+        print(&format!("{text}{}\n\n", wrapped(&table.explanation())))?;
     }
-    print(&format!("{text}{}\n\n", wrapped(&table.explanation())))?;
-    let bar = Bar::new("Ferrari et al. 2008");
-    let mut page = PageWriter::new(output, "courant: a report on Ferrari et al. 2008");
-    ferrari2008::publish_sections(
-        &table,
-        detail,
-        &|done, all| bar.advance(done, all),
-        &mut |section| page.add(section),
-    )?;
-    bar.finish();
-    finish(page, output)
+    let mut papers = Vec::new();
+    if arguments.paper != Paper::ChaWhitworth2003 {
+        papers.push(("ferrari2008", "Ferrari et al. 2008", ferrari2008::parts(table, detail)));
+    }
+    if arguments.paper != Paper::Ferrari2008 {
+        let parts = cha_whitworth2003::parts(detail);
+        papers.push(("cha-whitworth2003", "Cha & Whitworth 2003", parts));
+    }
+    let progress = PartProgress::new(papers.iter().map(|(_, _, parts)| parts.len()).sum());
+    let pages: Result<Vec<(usize, PathBuf)>, Failure> = papers
+        .into_par_iter()
+        .map(|(name, paper, parts)| {
+            let output = match arguments.paper {
+                Paper::All => OutputDirectory::open(&output.path().join(name))?,
+                _ => output.clone(),
+            };
+            let title = format!("courant: a report on {paper}");
+            let watch = |part, stage| progress.follow(part, stage);
+            Ok((publish(parts, &title, &output, &watch)?, output.path().join("index.html")))
+        })
+        .collect();
+    progress.bar.finish();
+    let pages = pages?;
+    for (files, index) in &pages {
+        print(&format!("{files} files written; open {}\n", index.display()))?;
+    }
+    if arguments.paper == Paper::All { write_contents(&output) } else { Ok(Outcome::Yes) }
 }
 
-fn report_on_cha_whitworth(output: &OutputDirectory, detail: Detail) -> Result<Outcome, Failure> {
-    let bar = Bar::new("Cha & Whitworth 2003");
-    let mut page = PageWriter::new(output, "courant: a report on Cha & Whitworth 2003");
-    cha_whitworth2003::publish_sections(
-        detail,
-        &|done, all| bar.advance(done, all),
-        &mut |section| page.add(section),
-    )?;
-    bar.finish();
-    finish(page, output)
+/// One bar for all parts, with the names of those that are being made; a line for each where nobody sees a bar.
+struct PartProgress {
+    bar: Bar,
+    count: usize,
+    /// The parts being made, and how many are finished.
+    state: Mutex<(Vec<&'static str>, usize)>,
 }
 
-fn finish(page: PageWriter<'_>, output: &OutputDirectory) -> Result<Outcome, Failure> {
-    let files = page.finish()?;
-    let index = output.path().join("index.html");
-    print(&format!("{files} files written; open {}\n", index.display()))
+impl PartProgress {
+    fn new(count: usize) -> Self {
+        Self { bar: Bar::new("report"), count, state: Mutex::default() }
+    }
+
+    fn follow(&self, part: &'static str, stage: Stage) {
+        let mut state = self.state.lock().expect("no thread panics while it tells its part");
+        let (making, finished) = &mut *state;
+        match stage {
+            Stage::Begun => making.push(part),
+            Stage::Finished(time) => {
+                making.retain(|other| *other != part);
+                *finished += 1;
+                if self.bar.is_hidden() {
+                    // Who reads no lines still gets the files.
+                    let _ = print(&format!("{part}: {:.1} s\n", time.as_secs_f64()));
+                }
+            }
+        }
+        let _ = self.bar.advance(*finished, self.count);
+        self.bar.doing(making.join(", "));
+    }
 }
 
 /// The page that links the papers' pages.

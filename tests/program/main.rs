@@ -10,6 +10,7 @@ mod dialect;
 mod dimensions;
 mod manners;
 mod probe;
+mod report;
 mod subjects;
 
 fn courant(arguments: &[&str]) -> Output {

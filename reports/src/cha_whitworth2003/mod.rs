@@ -7,21 +7,22 @@ pub mod published;
 
 pub use crate::ferrari2008::{Detail, ReportError};
 
-use crate::page::Publish;
-use courant_analysis::waves::sweep::Progress;
+use crate::paper_text::PaperText;
+use crate::part::Part;
+use std::sync::LazyLock;
 
-/// The command that makes this report.
-pub const COMMAND: &str = "courant report cha-whitworth2003";
+/// The words of the report, and what it shows.
+pub fn text() -> &'static PaperText {
+    static TEXT: LazyLock<PaperText> = LazyLock::new(|| {
+        PaperText::from_toml(include_str!("../../papers/cha_whitworth2003/items.toml"))
+            .expect("the words are read by a test")
+    });
+    &TEXT
+}
 
-/// Hands over the sections of the report as they are finished.
-///
-/// # Errors
-/// When the callback stops the work, a figure cannot be composed or a section cannot be published.
-pub fn publish_sections(
-    detail: Detail,
-    progress: Progress<'_>,
-    publish: &mut Publish<'_>,
-) -> Result<(), ReportError> {
-    dispersion::publish_sections(detail, progress, publish)?;
-    particle_tests::publish_sections(detail, progress, publish)
+/// The parts of the report in the order of its page.
+pub fn parts(detail: Detail) -> Vec<Part> {
+    let mut parts = dispersion::parts(detail);
+    parts.push(Part::new("particle tests", move || Ok(particle_tests::sections(detail))));
+    parts
 }

@@ -1,17 +1,17 @@
 //! Figure 1: two kernels, two schemes.
 
-use super::{Detail, LimitKind, ReportError, published_values};
+use super::{Detail, LimitKind, ReportError, published_values, text};
 use crate::figure::Figure;
 use crate::number::significant;
 use crate::page::Item;
 use crate::stability_map::{
     MapPlan, PublishedLimit, PublishedPoint, StabilityMap, damping_bar, growth_bar, stability_map,
 };
+use crate::words;
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::waves::sweep::Progress;
+use courant_analysis::waves::sweep::no_progress;
 use courant_simulation::advection::AdvectionScheme;
-use std::ops::ControlFlow;
 
 const KERNELS: [Kernel; 2] = [Kernel::CubicSpline, Kernel::Gaussian];
 const SCHEMES: [AdvectionScheme; 2] =
@@ -20,8 +20,8 @@ const SCHEMES: [AdvectionScheme; 2] =
 /// The grid of one panel: ratio 1 to 10 (whole ratios are on it), Courant number 0 to 12.
 pub fn figure_1_plan(scheme: AdvectionScheme, kernel: Kernel, detail: Detail) -> MapPlan {
     let cells = match detail {
-        Detail::Full => 270,
         Detail::Quick => 90,
+        Detail::Standard | Detail::Full => 270,
     };
     let axis = |from: i64, to: i64| -> Vec<Rational> {
         (0..=cells).map(|i| integer(from) + ratio(i * (to - from), cells)).collect()
@@ -32,8 +32,8 @@ pub fn figure_1_plan(scheme: AdvectionScheme, kernel: Kernel, detail: Detail) ->
 /// Draws the four panels.
 ///
 /// # Errors
-/// When the callback stops a sweep.
-pub fn figure_1(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportError> {
+/// When a figure cannot be composed.
+pub fn figure_1(detail: Detail) -> Result<Item, ReportError> {
     let mut figure = Figure::grid(2, 2).size(7.2, 6.6);
     let mut data = Vec::new();
     let mut nowhere_stable = String::new();
@@ -41,11 +41,7 @@ pub fn figure_1(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportEr
         KERNELS.iter().flat_map(|kernel| SCHEMES.iter().map(move |scheme| (*scheme, *kernel)));
     for (index, (scheme, kernel)) in panels.enumerate() {
         let plan = figure_1_plan(scheme, kernel, detail);
-        let rows = plan.ratios.len();
-        let part = |done: usize, _all: usize| -> ControlFlow<()> {
-            progress(index * rows + done, 4 * rows)
-        };
-        let map = stability_map(plan, &part)?;
+        let map = stability_map(plan, &no_progress)?;
         let letter = char::from(b'a' + index as u8);
         let title = format!("({letter}) {}, {}", scheme.title(), kernel.title());
         // The table is about the Godunov scheme.
@@ -65,20 +61,7 @@ pub fn figure_1(detail: Detail, progress: Progress<'_>) -> Result<Item, ReportEr
         data.extend(map.data_files(&format!("figure_01{letter}")));
     }
     let figure = figure.color_bar(damping_bar()?).color_bar(growth_bar()?).legend_below();
-    Ok(Item::Figure {
-        name: "figure_01".into(),
-        figure: Box::new(figure),
-        caption: format!(
-            "Figure 1. Amplification factor on the (l/Δξ, C) plane. Where no wave grows by more than 1e-3 \
-             per step the colour (blue) shows |g| of the most damped wave, elsewhere (red) |g| of the fastest growing \
-             one. The limit curves are computed at every ratio of the grid, not read off it: proved for the cubic spline, \
-             enclosed for the Gaussian, whose weights are irrational. The dashed curve is the limit for a growth of 1e-3 \
-             per step.{nowhere_stable} With the cubic spline the strict limit of Lax–Wendroff SPH dips at whole ratios, \
-             where the scheme keeps constants exactly and long waves bind. Markers: Table 1 as printed."
-        ),
-        data,
-        command: super::COMMAND.into(),
-    })
+    Ok(text().figure("figure_01", words!["nowhere" = nowhere_stable], figure, data))
 }
 
 /// Where a panel's scheme has no strictly stable Courant number, and how fast it grows there; empty when it has one
@@ -95,11 +78,14 @@ fn without_strict_limit(map: &StabilityMap) -> String {
         )
         .collect();
     let [least, most] = growth.map(|growth| significant(growth, 2));
-    format!(
-        " {} ({}) has no strictly stable Courant number at the ratios {} of the grid; at the grid's last C up to l/Δξ \
-         it grows there by {least} to {most} per step, with shorter steps about as C².",
-        map.plan.scheme.title(),
-        map.plan.kernel.title(),
-        stretches.join(", "),
+    text().text(
+        "figure_01_nowhere",
+        words![
+            "scheme" = map.plan.scheme.title(),
+            "kernel" = map.plan.kernel.title(),
+            "stretches" = stretches.join(", "),
+            "least" = least,
+            "most" = most,
+        ],
     )
 }

@@ -10,120 +10,32 @@ mod table_1;
 pub use figure_1::{figure_1, figure_1_plan};
 pub use table_1::{Entry, LimitKind, PublishedValue, Table1, published_values, recipe};
 
-use crate::CatalogueItem;
-use crate::page::{Item, PageError, Publish, Section};
-use courant_analysis::waves::sweep::{Progress, SweepError};
+use crate::page::Item;
+use crate::paper_text::PaperText;
+use crate::part::Part;
+use crate::publish::PublishError;
+use courant_analysis::waves::sweep::SweepError;
+use std::sync::LazyLock;
 
 /// How much of the report to make.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Detail {
-    /// Everything, at full resolution.
-    Full,
-    /// A coarse grid: for a quick look and for tests.
+    /// A coarse grid: for a first look and for tests.
     Quick,
+    /// Everything, long studies at modest sizes.
+    Standard,
+    /// Long studies at their full sizes.
+    Full,
 }
 
-/// The command that makes this report.
-pub const COMMAND: &str = "courant report ferrari2008";
-
-/// What this report shows.
-pub const CATALOGUE: &[CatalogueItem] = &[
-    CatalogueItem {
-        name: "table_1_exact",
-        description: "largest stable and monotone Courant number, exact",
-        source: "Ferrari et al. 2008, Table 1",
-    },
-    CatalogueItem {
-        name: "table_1_published",
-        description: "the same as printed, and the recipe that reproduces it",
-        source: "Ferrari et al. 2008, Table 1",
-    },
-    CatalogueItem {
-        name: "table_1_difference",
-        description: "printed against exact, and the growth at the printed values",
-        source: "Ferrari et al. 2008, Table 1",
-    },
-    CatalogueItem {
-        name: "figure_01",
-        description: "amplification factor over the (l/Δξ, C) plane",
-        source: "Ferrari et al. 2008, Figure 1",
-    },
-    CatalogueItem {
-        name: "limits_cost",
-        description: "time against error of sampled and proved limits",
-        source: "beyond the paper",
-    },
-    CatalogueItem {
-        name: "limits_cost_table",
-        description: "proof against samples over the smoothing ratio",
-        source: "beyond the paper",
-    },
-    CatalogueItem {
-        name: "limits_hard_cases",
-        description: "hard cases of the limits, each answered by a computation",
-        source: "beyond the paper",
-    },
-    CatalogueItem {
-        name: "figure_02",
-        description: "step and hump after one and five periods",
-        source: "Ferrari et al. 2008, Figure 2",
-    },
-    CatalogueItem {
-        name: "figure_02_norms",
-        description: "error norms of the same runs",
-        source: "Ferrari et al. 2008, Figure 2",
-    },
-    CatalogueItem {
-        name: "predicted_measured",
-        description: "amplification factors by symbol and by run",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-    CatalogueItem {
-        name: "figure_predicted_measured",
-        description: "the same, mode by mode",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-    CatalogueItem {
-        name: "printed_growth",
-        description: "runs at the printed stability limits",
-        source: "Ferrari et al. 2008, Table 1",
-    },
-    CatalogueItem {
-        name: "figure_printed_growth",
-        description: "their growth, step by step",
-        source: "Ferrari et al. 2008, Table 1",
-    },
-    CatalogueItem {
-        name: "limits_by_run",
-        description: "stability limits found by running, beside the proved ones",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-    CatalogueItem {
-        name: "long_runs",
-        description: "a million steps just below and just above a limit",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-    CatalogueItem {
-        name: "figure_disorder",
-        description: "how far the lattice theory carries on uneven positions",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-    CatalogueItem {
-        name: "figure_speed_smooth",
-        description: "error against cost, smooth data",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-    CatalogueItem {
-        name: "figure_speed_jump",
-        description: "error against cost, data with jumps",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-    CatalogueItem {
-        name: "speed_recommendation",
-        description: "the cheapest choice for an error",
-        source: "Ferrari et al. 2008, section 2, run",
-    },
-];
+/// The words of the report, and what it shows.
+pub fn text() -> &'static PaperText {
+    static TEXT: LazyLock<PaperText> = LazyLock::new(|| {
+        PaperText::from_toml(include_str!("../../papers/ferrari2008/items.toml"))
+            .expect("the words are read by a test")
+    });
+    &TEXT
+}
 
 /// Why the report has no result.
 #[derive(Debug, thiserror::Error)]
@@ -131,39 +43,28 @@ pub enum ReportError {
     /// A sweep stopped.
     #[error(transparent)]
     Sweep(#[from] SweepError),
-    /// A figure could not be composed.
+    /// A figure could not be composed or drawn.
     #[error(transparent)]
     Figure(#[from] crate::figure::FigureError),
     /// A finished section could not be written.
     #[error(transparent)]
-    Page(#[from] PageError),
+    Publish(#[from] PublishError),
 }
 
-/// Hands over the sections of the report as they are finished.
-///
-/// # Errors
-/// When the callback stops a sweep, or a section cannot be published.
-pub fn publish_sections(
-    table: &Table1,
-    detail: Detail,
-    progress: Progress<'_>,
-    publish: &mut Publish<'_>,
-) -> Result<(), ReportError> {
-    let mut items = vec![Item::Paragraph(table.explanation())];
-    for (name, table) in [
-        ("table_1_exact", table.exact_table()),
-        ("table_1_published", table.published_table()),
-        ("table_1_difference", table.difference_table()),
-    ] {
-        items.push(Item::Table { name: name.into(), table, command: COMMAND.into() });
-    }
-    let title = "Table 1: largest stable and largest monotone Courant number".into();
-    publish(Section { title, items })?;
-    publish(Section {
-        title: "Figure 1: amplification over the (l/Δξ, C) plane".into(),
-        items: vec![figure_1(detail, progress)?],
-    })?;
-    proofs::publish_sections(detail, publish)?;
-    section_2_runs::publish_sections(detail, progress, publish)?;
-    section_3::publish_sections(detail, progress, publish)
+/// The parts of the report in the order of its page.
+pub fn parts(table: Table1, detail: Detail) -> Vec<Part> {
+    let mut parts = vec![
+        Part::new("Table 1", move || {
+            let paragraph = [Item::Paragraph(table.explanation())];
+            let items = paragraph.into_iter().chain(table.tables()).collect();
+            Ok(vec![text().section("title_table_1", items)])
+        }),
+        Part::new("Figure 1", move || {
+            Ok(vec![text().section("title_figure_1", vec![figure_1(detail)?])])
+        }),
+        Part::new("limits with proof", move || Ok(proofs::section(detail))),
+    ];
+    parts.extend(section_2_runs::parts(detail));
+    parts.push(Part::new("section 3", move || Ok(section_3::sections(detail))));
+    parts
 }

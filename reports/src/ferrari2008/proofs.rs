@@ -2,18 +2,19 @@
 
 mod hard_cases;
 
-use super::{COMMAND, Detail, ReportError};
+use super::{Detail, text};
+use crate::cells;
 use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
 use crate::number::significant;
-use crate::page::{Item, Publish, Section};
-use crate::table::{Align, Table};
+use crate::page::{Item, Section};
+use crate::paper_text::csv;
+use crate::timing::timed;
 use courant_analysis::exact::rational::{Rational, parse, ratio, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::stability::{
     AccuracyRow, accuracy_study, phase_grid, sampled_stability_limit,
 };
 use courant_simulation::advection::{AdvectionScheme, Discretisation};
-use std::time::Instant;
 
 /// Errors below the rounding of an `f64` are drawn here.
 const ERROR_FLOOR: f64 = 1e-17;
@@ -26,65 +27,42 @@ fn scheme(scheme: AdvectionScheme, kernel: Kernel, l: &Rational) -> Discretisati
     discretisation.expect("the ratios of the report are within range")
 }
 
-/// Speed against error of the limits, and the table of hard cases.
-///
-/// # Errors
-/// When a figure cannot be composed or a section cannot be published.
-pub fn publish_sections(detail: Detail, publish: &mut Publish<'_>) -> Result<(), ReportError> {
-    publish(Section {
-        title: "Limits with proof: speed against error".into(),
-        items: vec![cost_figure(detail)?, cost_table(detail)],
-    })?;
-    publish(Section {
-        title: "Limits: the hard cases".into(),
-        items: vec![hard_cases::table(), roots()],
-    })?;
-    Ok(())
+/// Work against error of the limits, and the tables of hard cases and of roots.
+pub fn section(detail: Detail) -> Vec<Section> {
+    let (cost, hard) = rayon::join(
+        || vec![cost_figure(), cost_table(detail)],
+        || vec![hard_cases::table(), roots()],
+    );
+    vec![text().section("title_limits_cost", cost), text().section("title_hard_cases", hard)]
 }
 
-/// Time against error for two schemes: one bound by the longest waves, one by an interior wave.
-fn cost_figure(detail: Detail) -> Result<Item, ReportError> {
-    let repetitions = if detail == Detail::Full { 5 } else { 1 };
+/// Work against error for two schemes: one bound by the longest waves, one by an interior wave.
+fn cost_figure() -> Item {
     let cases = [
         (AdvectionScheme::GodunovSph, ratio(5, 1), "(a) Godunov SPH, l/Δξ = 5"),
         (AdvectionScheme::LaxWendroffSph, ratio(13, 10), "(b) Lax–Wendroff SPH, l/Δξ = 1.3"),
     ];
     let mut figure = Figure::grid(1, 2).size(7.2, 3.4);
-    let mut csv = String::from("scheme,ratio,method,size,relative_error,seconds\n");
+    let mut lines = Vec::new();
     for (name, l, title) in cases {
         let of = scheme(name, Kernel::CubicSpline, &l);
-        let rows = accuracy_study(of.step(), "C", &of.plan().max, repetitions)
-            .expect("only the Courant number is free");
-        for row in &rows {
-            csv.push_str(&format!(
-                "{},{},{},{},{},{}\n",
-                name,
-                to_text(&l),
-                row.method.name(),
-                row.method.size(),
-                row.relative_error,
-                row.seconds
-            ));
-        }
+        let (rows, _) = timed(|| accuracy_study(of.step(), "C", &of.plan().max));
+        let rows = rows.expect("only the Courant number is free");
+        lines.extend(rows.iter().map(|row| {
+            let (method, error) = (row.method, row.relative_error);
+            cells![name, to_text(&l), method.name(), method.size(), error, row.work, row.seconds]
+        }));
         figure = figure.panel(cost_panel(&rows, title));
     }
-    Ok(Item::Figure {
-        name: "limits_cost".into(),
-        figure: Box::new(figure.legend_below()),
-        caption: format!(
-            "Relative error of a stability limit against the time it takes (least of {repetitions}), cubic spline; (a) long waves bind, (b) an interior wave. Sampled: 8 to 65,536 equal \
-             steps of the phase. Refined: the worst sampled phase improved in floating point. Proved: to 16, 24, 32, 40 and 52 \
-             bits, with 52 the polynomial of which the limit is a root included; where the limit is a fraction the proof is exact from the start. Errors that are not resolved are drawn at 1e-17."
-        ),
-        data: vec![("limits_cost.csv".into(), csv.into_bytes())],
-        command: COMMAND.into(),
-    })
+    let header = "scheme,ratio,method,size,relative_error,work,seconds";
+    let data = vec![("limits_cost.csv".into(), csv(header, lines))];
+    text().figure("limits_cost", &[], figure.legend_below(), data)
 }
 
 fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
     let mut panel = Panel::new(
         Axis::log("relative error of the limit").range(0.3 * ERROR_FLOOR, 1.0),
-        Axis::log("time in seconds"),
+        Axis::log("phases or boxes looked at"),
     )
     .title(title);
     for (name, color, marker) in [
@@ -95,7 +73,7 @@ fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
         let points: Vec<(f64, f64)> = rows
             .iter()
             .filter(|row| row.method.name() == name)
-            .map(|row| (row.relative_error.max(ERROR_FLOOR), row.seconds))
+            .map(|row| (row.relative_error.max(ERROR_FLOOR), row.work as f64))
             .collect();
         panel = panel.layer(Markers::new(points, marker).color(color).size(4.0).label(name));
     }
@@ -105,69 +83,41 @@ fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
 /// Proof and samples over the smoothing ratio.
 fn cost_table(detail: Detail) -> Item {
     let ratios: &[&str] = match detail {
-        Detail::Full => &["1", "1.3", "2", "5", "10", "20", "50"],
         Detail::Quick => &["1", "1.3", "5"],
+        Detail::Standard | Detail::Full => &["1", "1.3", "2", "5", "10", "20", "50"],
     };
-    let mut table = Table::new(
-        "Proof against samples over the smoothing ratio",
-        &[
-            ("scheme", Align::Left),
-            ("kernel", Align::Left),
-            ("l/Δξ", Align::Right),
-            ("limit", Align::Right),
-            ("proof, ms", Align::Right),
-            ("boxes", Align::Right),
-            ("1024 samples, ms", Align::Right),
-            ("their error", Align::Right),
-        ],
-    );
-    for name in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
-        for kernel in [Kernel::CubicSpline, Kernel::Gaussian] {
-            for text in ratios {
-                let l = parse(text).expect("the list holds decimals");
-                let of = scheme(name, kernel, &l);
-                let start = Instant::now();
-                let set = of.stable_set();
-                let proof = start.elapsed();
-                let limit = set.limit();
-                let (sampling, error) = if limit.is_positive() {
-                    let phases = phase_grid(std::f64::consts::PI / 1024.0);
-                    let start = Instant::now();
-                    let sampled = sampled_stability_limit(&of.margin(), &phases, &of.plan().max);
-                    let error = (sampled.value() / limit.value() - 1.0).abs();
-                    (significant(1e3 * start.elapsed().as_secs_f64(), 2), significant(error, 2))
-                } else {
-                    ("–".into(), "no positive limit".into())
-                };
-                table.push([
-                    name.to_string(),
-                    kernel.name().into(),
-                    (*text).into(),
-                    limit.decimal(10).unwrap_or_default(),
-                    significant(1e3 * proof.as_secs_f64(), 2),
-                    set.work.boxes.to_string(),
-                    sampling,
-                    error,
-                ]);
-            }
-        }
-    }
-    Item::Table { name: "limits_cost_table".into(), table, command: COMMAND.into() }
+    let schemes = [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph];
+    let cases = schemes.into_iter().flat_map(|name| {
+        [Kernel::CubicSpline, Kernel::Gaussian]
+            .into_iter()
+            .flat_map(move |kernel| ratios.iter().map(move |&written| (name, kernel, written)))
+    });
+    let rows = cases.map(|(name, kernel, written)| {
+        let of = scheme(name, kernel, &parse(written).expect("the list holds decimals"));
+        let (set, proof) = timed(|| of.stable_set());
+        let limit = set.limit();
+        let milliseconds = |seconds: f64| significant(1e3 * seconds, 2);
+        let (sampling, error) = if limit.is_positive() {
+            let phases = phase_grid(std::f64::consts::PI / 1024.0);
+            let (sampled, seconds) =
+                timed(|| sampled_stability_limit(&of.margin(), &phases, &of.plan().max));
+            let error = (sampled.value() / limit.value() - 1.0).abs();
+            (milliseconds(seconds), significant(error, 2))
+        } else {
+            ("–".into(), "no positive limit".into())
+        };
+        let proof = milliseconds(proof);
+        let decimal = limit.decimal(10).unwrap_or_default();
+        cells![name, kernel.name(), written, decimal, set.work.boxes, proof, sampling, error]
+    });
+    text().table("limits_cost_table", &[], rows)
 }
 
 /// Limits of Lax–Wendroff SPH at interior waves: algebraic numbers.
 fn roots() -> Item {
-    let mut table = Table::new(
-        "Stability limits of Lax–Wendroff SPH with the cubic spline as roots of integer polynomials",
-        &[
-            ("l/Δξ", Align::Right),
-            ("limit", Align::Left),
-            ("degree", Align::Right),
-            ("equation", Align::Left),
-        ],
-    );
-    for text in ["1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.8", "2", "2.5", "3"] {
-        let l = parse(text).expect("the list holds decimals");
+    let ratios = ["1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.8", "2", "2.5", "3"];
+    let rows = ratios.into_iter().map(|written| {
+        let l = parse(written).expect("the list holds decimals");
         let of = scheme(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &l);
         let limit = of.stable_set().limit();
         let (degree, equation) = match (limit.exact(), limit.equation()) {
@@ -184,8 +134,7 @@ fn roots() -> Item {
             }
             (None, None) => (String::new(), "not sought".into()),
         };
-        table.push([text.into(), limit.decimal(30).unwrap_or_default(), degree, equation]);
-    }
-    let command = "courant limits --scheme lax-wendroff-sph --kernel cubic-spline --ratio 1.1:1.6:0.1,1.8,2,2.5,3 --digits 30";
-    Item::Table { name: "limits_as_roots".into(), table, command: command.into() }
+        cells![written, limit.decimal(30).unwrap_or_default(), degree, equation]
+    });
+    text().table("limits_as_roots", &[], rows)
 }

@@ -1,8 +1,11 @@
 //! Table 1: exact, as printed, and the recipe that links the two.
 
+use super::text;
 use crate::number::significant;
+use crate::page::Item;
 use crate::record::exact_latex;
-use crate::table::{Align, Cell, Table};
+use crate::table::Cell;
+use crate::{cells, words};
 use courant_analysis::exact::rational::{Rational, integer, parse, to_f64};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::stability::margin::Margin;
@@ -143,24 +146,20 @@ impl Table1 {
         })
     }
 
-    fn columns(&self) -> Vec<String> {
+    fn by_ratio(&self, name: &str, rows: impl IntoIterator<Item = Vec<Cell>>) -> Item {
         let (_, _, entries) = self.rows().next().expect("the table has rows");
-        entries.iter().map(|entry| format!("l/Δξ = {}", entry.published.ratio)).collect()
+        let columns: Vec<String> =
+            entries.iter().map(|entry| format!("l/Δξ = {}", entry.published.ratio)).collect();
+        text().wide_table(name, &[], &columns, rows)
     }
 
-    fn table(&self, caption: &str, rows: impl IntoIterator<Item = Vec<Cell>>) -> Table {
-        let names = self.columns();
-        let mut columns = vec![("limit", Align::Left), ("kernel", Align::Left), ("", Align::Left)];
-        columns.extend(names.iter().map(|name| (name.as_str(), Align::Right)));
-        let mut table = Table::new(caption, &columns);
-        for row in rows {
-            table.push(row);
-        }
-        table
+    /// The three tables.
+    pub fn tables(&self) -> [Item; 3] {
+        [self.exact_table(), self.published_table(), self.difference_table()]
     }
 
     /// The exact limits: decimals, and the fractions beside them where the data are rational.
-    pub fn exact_table(&self) -> Table {
+    fn exact_table(&self) -> Item {
         let rows = self.rows().flat_map(|(kind, kernel, entries)| {
             let head = |what| row_head(kind, kernel, what);
             let mut decimals = head(entries[0].limit.evidence().name());
@@ -181,11 +180,11 @@ impl Table1 {
             }
             rows
         });
-        self.table("Table 1, exact: limits of the Courant number for Godunov SPH", rows)
+        self.by_ratio("table_1_exact", rows)
     }
 
     /// The printed values and the recipe that reproduces them.
-    pub fn published_table(&self) -> Table {
+    fn published_table(&self) -> Item {
         let rows = self.rows().flat_map(|(kind, kernel, entries)| {
             let head = |what| row_head(kind, kernel, what);
             let mut printed = head("printed");
@@ -204,45 +203,30 @@ impl Table1 {
             }
             rows
         });
-        self.table(
-            "Table 1, as printed, and the recipe behind it: phases 0, 0.1, 0.2, … rad, rounded up to a multiple of 0.05",
-            rows,
-        )
+        self.by_ratio("table_1_published", rows)
     }
 
     /// Printed against exact, and what the printed value does.
-    pub fn difference_table(&self) -> Table {
-        let mut table = Table::new(
-            "Table 1, printed against exact: the difference, and what a run at the printed Courant number does",
-            &[
-                ("limit", Align::Left),
-                ("kernel", Align::Left),
-                ("l/Δξ", Align::Right),
-                ("exact", Align::Right),
-                ("printed", Align::Right),
-                ("difference", Align::Right),
-                ("growth per step", Align::Right),
-                ("steps to double", Align::Right),
-            ],
-        );
-        for entry in &self.entries {
+    fn difference_table(&self) -> Item {
+        let rows = self.entries.iter().map(|entry| {
             let growth = entry.growth_at_published;
-            let doubling = growth.filter(|growth| *growth > 0.0).map(|g| 2f64.ln() / g.ln_1p());
-            table.push([
-                entry.published.kind.name().to_string(),
-                entry.published.kernel.title().into(),
-                entry.published.ratio.to_string(),
+            let grows = growth.filter(|growth| *growth > 0.0);
+            let rate = match growth {
+                None => "–".into(),
+                Some(_) => grows.map_or_else(|| "0".into(), |growth| significant(growth, 3)),
+            };
+            cells![
+                entry.published.kind.name(),
+                entry.published.kernel.title(),
+                entry.published.ratio,
                 six_decimals(&entry.limit),
                 format!("{:.2}", to_f64(&entry.published.courant)),
                 format!("{:+.2} %", entry.difference_percent),
-                growth.map_or_else(
-                    || "–".into(),
-                    |g| if g > 0.0 { significant(g, 3) } else { "0".into() },
-                ),
-                doubling.map_or_else(|| "–".into(), |steps| format!("{steps:.0}")),
-            ]);
-        }
-        table
+                rate,
+                grows.map_or_else(|| "–".into(), |g| format!("{:.0}", 2f64.ln() / g.ln_1p())),
+            ]
+        });
+        text().table("table_1_difference", &[], rows)
     }
 
     /// What the comparison shows, with its numbers computed.
@@ -266,27 +250,28 @@ impl Table1 {
             .filter(|e| e.published.kind == LimitKind::Monotonicity)
             .map(|e| (e.limit.value() - to_f64(&e.published.courant)).abs())
             .fold(0.0, f64::max);
-        format!(
-            "Of the {0} printed stability limits {1} are too high, by up to {largest:.1} %: at these Courant numbers the \
-             scheme grows, by up to {2:.1} % per step. Exact as printed: {3}. In every case the longest waves bind, and \
-             a coarse set of phases never visits them: looking at the phases 0, 0.1, 0.2, … rad only, and \
-             rounding up to a multiple of 0.05, reproduces {reproduced} of the {0} printed stability values. \
-             The monotonicity rows need no phases and agree with the exact limits to {monotone:.3}.",
-            stability().count(),
-            growing.count(),
-            100.0 * growth,
-            exact.join(", "),
+        text().text(
+            "explanation",
+            words![
+                "all" = stability().count(),
+                "growing" = growing.count(),
+                "largest" = format!("{largest:.1}"),
+                "growth" = format!("{:.1}", 100.0 * growth),
+                "exact" = exact.join(", "),
+                "reproduced" = reproduced,
+                "monotone" = format!("{monotone:.3}"),
+            ],
         )
     }
 }
 
-/// The first cells of a row.
 /// A limit cut off after six decimals.
 fn six_decimals(limit: &Limit) -> String {
     let whole_digits = format!("{:.0}", limit.lower().floor()).len();
     limit.decimal(6 + whole_digits).unwrap_or_default()
 }
 
+/// The first cells of a row.
 fn row_head(kind: LimitKind, kernel: Kernel, what: &str) -> Vec<Cell> {
     vec![kind.name().into(), kernel.title().into(), what.into()]
 }

@@ -31,9 +31,7 @@ pub use amplification::{
     ModeFit, ModeRow, Validation, ValidationError, ValidationPlan, compare_with_prediction,
     fit_mode, measure_amplification, validate,
 };
-pub use cost::{
-    CostMeasure, CostRow, Recommendation, Seconds, measure_cost, pareto_front, recommend,
-};
+pub use cost::{Recommendation, pareto_front, recommend};
 pub use disorder::{DisorderGrowth, DisorderRow, DisorderStudy, gain_against_disorder};
 pub use faulty::{Fault, Faulty};
 pub use growth::{Growth, GrowthPlan, GrowthVerdict, measure_growth, seed_with_noise};

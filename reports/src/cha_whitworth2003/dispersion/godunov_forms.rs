@@ -1,13 +1,14 @@
 //! The printed relation of Godunov particle hydrodynamics beside the resolved one.
 
-use super::super::{COMMAND, ReportError};
-use super::{figure_item, paper_lattice, phases, usual_ratio};
+use super::super::ReportError;
+use super::{paper_lattice, phases, text, usual_ratio};
 use crate::cha_whitworth2003::published::PublishedWaves;
 use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
 use crate::number::significant;
 use crate::page::Item;
-use crate::table::{Align, Table};
+use crate::paper_text::csv;
 use crate::wave_map::wave_number_axis;
+use crate::{cells, words};
 use courant_analysis::exact::rational::{integer, to_f64, to_text};
 use courant_analysis::waves::dispersion::{
     AmplitudeTime, Branch, CompiledWaves, Frequencies, amplitude, damping_per_wavelength,
@@ -34,7 +35,7 @@ impl Waves {
 }
 
 pub fn items() -> Result<Vec<Item>, ReportError> {
-    Ok(vec![Item::Paragraph(explanation()?), figure()?, table()?])
+    Ok(vec![explanation()?, figure()?, table()?])
 }
 
 fn waves(form: &str, whole: bool) -> Result<Waves, SweepError> {
@@ -46,25 +47,19 @@ fn waves(form: &str, whole: bool) -> Result<Waves, SweepError> {
     })
 }
 
-fn explanation() -> Result<String, SweepError> {
+fn explanation() -> Result<Item, ReportError> {
     let long = waves(PUBLISHED, true)?.frequencies(1e-4);
     let speed = |branch| significant(long.branch(branch).re / 1e-4, 4);
     let resolved = waves(RESOLVED, false)?.frequencies(1.0).forward;
-    Ok(format!(
-        "Equations (61) to (64) put each particle on the left of every Riemann problem, whichever side its neighbour is \
-         on. The damping terms of the two sides then subtract instead of add: the sum D of |W'| turns into the sum S of \
-         W', the coefficient of the velocity turns imaginary, and the relation (64) is without damping. It is not the \
-         relation of a sound wave: at h = Δ its long waves travel at {} c and {} c instead of ±c. With left and right \
-         chosen by position, as the scheme does, (27), (43) and (44) give ω² + icDω − ω_SPH² = 0: long waves travel both \
-         ways with the speed of SPH, and waves are damped, like SPH with a viscosity of signal velocity c; at \
-         κΔ = 1 and h/Δ = {} one period leaves {} of the amplitude. The statement that the method has no damping does \
-         not hold. An independent linearisation of a plain particle code by finite differences on a ring of 64 \
-         particles gives the resolved frequencies mode by mode to 1e-6, and the printed ones when the particle itself is \
-         always taken as the left state (analysis/tests/ring_linearisation.rs).",
-        speed(Branch::Forward),
-        speed(Branch::Backward),
-        to_text(&usual_ratio()),
-        significant(amplitude(resolved, 1.0, AmplitudeTime::Period), 3)
+    let left = amplitude(resolved, 1.0, AmplitudeTime::Period);
+    Ok(text().paragraph(
+        "godunov_forms_text",
+        words![
+            "forward" = speed(Branch::Forward),
+            "backward" = speed(Branch::Backward),
+            "ratio" = to_text(&usual_ratio()),
+            "left" = significant(left, 3),
+        ],
     ))
 }
 
@@ -80,7 +75,7 @@ fn figure() -> Result<Item, ReportError> {
         Axis::linear("damping per wavelength −2π Im ω/(cκ)"),
     )
     .title("(b) damping of the forward wave");
-    let mut text = String::from("form,ratio,kappa,branch,omega_re,omega_im\n");
+    let mut lines = Vec::new();
     for (index, (form, whole)) in
         [PUBLISHED, RESOLVED].into_iter().flat_map(|form| [(form, true), (form, false)]).enumerate()
     {
@@ -102,8 +97,7 @@ fn figure() -> Result<Item, ReportError> {
             ));
             for (phase, frequencies) in &found {
                 let omega = frequencies.branch(branch);
-                let (form, at, branch) = (form, to_text(&at), branch.name());
-                text.push_str(&format!("{form},{at},{phase},{branch},{},{}\n", omega.re, omega.im));
+                lines.push(cells![form, to_text(&at), phase, branch.name(), omega.re, omega.im]);
             }
         }
         damping = damping.layer(line(
@@ -119,51 +113,23 @@ fn figure() -> Result<Item, ReportError> {
         .iter()
         .map(|&phase| damping_per_wavelength(usual.frequencies(phase).forward, phase))
         .fold(0.0, f64::max);
-    let caption = format!(
-        "The two relations of Godunov particle hydrodynamics. (a) The printed one is not symmetric: its two waves travel \
-         at different speeds, neither of them c. (b) Only the resolved one is damped: in proportion to κ for long waves \
-         (first order), by up to {} per wavelength at h/Δ = {}. Cubic B-spline, ρ0 = M/Δ, 0 < κΔ ≤ π, exact in time.",
-        significant(largest, 3),
-        to_text(&usual_ratio())
-    );
-    Ok(figure_item(
-        "godunov_forms",
-        figure,
-        caption,
-        vec![("godunov_forms.csv".into(), text.into_bytes())],
-    ))
+    let data = csv("form,ratio,kappa,branch,omega_re,omega_im", lines);
+    let words = words!["largest" = significant(largest, 3), "ratio" = to_text(&usual_ratio())];
+    let data = vec![("godunov_forms.csv".into(), data)];
+    Ok(text().figure("godunov_forms", words, figure, data))
 }
 
 fn table() -> Result<Item, ReportError> {
-    let caption = format!(
-        "Published against resolved, cubic B-spline, h/Δ = {}, ρ0 = M/Δ: phase speed and what one period of the exact \
-         wave leaves of the amplitude",
-        to_text(&usual_ratio())
-    );
-    let mut table = Table::new(
-        caption,
-        &[
-            ("κΔ", Align::Right),
-            ("wavelength/Δ", Align::Right),
-            ("published, forward", Align::Right),
-            ("published, backward", Align::Right),
-            ("amplitude", Align::Right),
-            ("resolved, forward", Align::Right),
-            ("resolved, backward", Align::Right),
-            ("amplitude", Align::Right),
-        ],
-    );
     let both = [waves(PUBLISHED, false)?, waves(RESOLVED, false)?];
-    for phase in [0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0] {
+    let rows = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0].into_iter().map(|phase| {
         let mut cells = vec![significant(phase, 3), significant(2.0 * PI / phase, 4)];
         for waves in &both {
             let found = waves.frequencies(phase);
-            for branch in Branch::ALL {
-                cells.push(significant(found.branch(branch).re / phase, 5));
-            }
+            let speeds = Branch::ALL.map(|branch| found.branch(branch).re / phase);
+            cells.extend(speeds.map(|speed| significant(speed, 5)));
             cells.push(significant(amplitude(found.forward, phase, AmplitudeTime::Period), 5));
         }
-        table.push(cells);
-    }
-    Ok(Item::Table { name: "godunov_forms_table".into(), table, command: COMMAND.into() })
+        cells
+    });
+    Ok(text().table("godunov_forms_table", words!["ratio" = to_text(&usual_ratio())], rows))
 }

@@ -1,16 +1,17 @@
 //! The largest stable time step of every integrator, proved.
 
-use super::super::{COMMAND, ReportError};
-use super::{integrator, lattice, usual_ratio};
+use super::super::ReportError;
+use super::{integrator, lattice, text, usual_ratio};
 use crate::number::significant;
 use crate::page::Item;
-use crate::table::{Align, Table};
+use crate::{cells, words};
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::catalogue::PARTICLE_INTEGRATORS;
 use courant_analysis::scheme::{COURANT, Integrator, LatticeMethod};
 use courant_analysis::stability::{Limit, SearchPlan};
 use courant_analysis::waves::sweep::SweepError;
+use num_traits::Signed;
 use rayon::prelude::*;
 
 /// Steps `c Δt/h` are searched up to here.
@@ -41,7 +42,11 @@ fn proved(
     integrator: &Integrator,
     growth: &Rational,
 ) -> Result<Limit, SweepError> {
-    let plan = SearchPlan::default().up_to(integer(RANGE)).growing(growth.clone());
+    let mut plan = SearchPlan::default().up_to(integer(RANGE)).growing(growth.clone());
+    if growth.is_positive() {
+        // A budget leaves no closed form: the digits shown suffice.
+        plan = plan.to_bits(32);
+    }
     Ok(method.step(integrator)?.stable_set(COURANT, &plan)?.limit())
 }
 
@@ -59,33 +64,14 @@ fn shown(limit: &Limit) -> String {
 }
 
 pub fn items() -> Result<Vec<Item>, ReportError> {
-    let text = "A particle scheme is not run exactly in time. Each mode obeys Ẋ = V, V̇ = −ω_SPH² X − bV; one step \
-                multiplies it by a matrix, and the step is stable when both multipliers of every mode lie in the unit \
-                circle. The conditions of Jury on the characteristic polynomial are polynomials in c Δt/h with cosine \
-                series as coefficients, whose signs are decided in exact arithmetic: the limits below are proved over all \
-                wavelengths for the cubic B-spline and enclosed for the Gaussian. A limit 0 means that some wave grows at \
-                every step; where that growth is weak (forward Euler, centred Euler and second-order Runge–Kutta without viscosity) the \
-                last column gives the step up to which it stays below 1e-3. Symplectic Euler, the leapfrogs and the predictor–corrector without viscosity lose \
-                stability through a double multiplier −1: at the limit itself the amplitude grows linearly, \
-                so only smaller steps are stable.";
-    Ok(vec![Item::Paragraph(text.into()), by_integrator()?, by_kernel()?])
+    Ok(vec![text().paragraph("integrator_text", &[]), by_integrator()?, by_kernel()?])
 }
 
 fn by_integrator() -> Result<Item, ReportError> {
     let ratios = ratios();
-    let names: Vec<String> = ratios
-        .iter()
-        .map(|at| format!("h/Δ = {}", significant(to_f64(at), 2)))
-        .chain([format!("h/Δ = {}, growth 1e-3", significant(to_f64(&usual_ratio()), 2))])
-        .collect();
-    let mut columns = vec![
-        ("integrator", Align::Left),
-        ("forces per step", Align::Right),
-        ("method", Align::Left),
-    ];
-    columns.extend(names.iter().map(|name| (name.as_str(), Align::Right)));
-    let caption = "Largest stable c Δt/h, proved: cubic B-spline, ρ0 = M Σ W, isothermal";
-    let mut table = Table::new(caption, &columns);
+    let mut columns: Vec<String> =
+        ratios.iter().map(|at| format!("h/Δ = {}", significant(to_f64(at), 2))).collect();
+    columns.push(format!("h/Δ = {}, growth 1e-3", significant(to_f64(&usual_ratio()), 2)));
     let cases: Vec<_> = PARTICLE_INTEGRATORS
         .into_iter()
         .flat_map(|name| METHODS.map(|method| (integrator(name), method)))
@@ -97,11 +83,8 @@ fn by_integrator() -> Result<Item, ReportError> {
                 let lattice = method(named, Kernel::CubicSpline, at)?;
                 proved(&lattice, integrator, growth).map(|limit| shown(&limit))
             };
-            let mut row = vec![
-                integrator.title.clone(),
-                integrator.stages().to_string(),
-                method(named, Kernel::CubicSpline, &usual_ratio())?.title(),
-            ];
+            let title = method(named, Kernel::CubicSpline, &usual_ratio())?.title();
+            let mut row = cells![integrator.title, integrator.stages(), title];
             for at in &ratios {
                 row.push(limit(at, &integer(0))?);
             }
@@ -109,29 +92,10 @@ fn by_integrator() -> Result<Item, ReportError> {
             Ok(row)
         })
         .collect();
-    for row in rows? {
-        table.push(row);
-    }
-    Ok(Item::Table { name: "integrator_table".into(), table, command: COMMAND.into() })
+    Ok(text().wide_table("integrator_table", &[], &columns, rows?))
 }
 
 fn by_kernel() -> Result<Item, ReportError> {
-    let caption = format!(
-        "Largest stable step of the leapfrog KDK by kernel, h/Δ = {}, in three units: per smoothing length, per spacing \
-         and per standard deviation σ of the kernel; ρ0 = M Σ W, isothermal",
-        to_text(&usual_ratio())
-    );
-    let mut table = Table::new(
-        caption,
-        &[
-            ("kernel", Align::Left),
-            ("method", Align::Left),
-            ("c Δt/h", Align::Right),
-            ("c Δt/Δ", Align::Right),
-            ("c Δt/σ", Align::Right),
-            ("evidence", Align::Left),
-        ],
-    );
     let cases: Vec<_> =
         Kernel::ALL.into_iter().flat_map(|kernel| METHODS.map(|method| (kernel, method))).collect();
     let rows: Result<Vec<Vec<String>>, SweepError> = cases
@@ -139,18 +103,16 @@ fn by_kernel() -> Result<Item, ReportError> {
         .map(|&(kernel, named)| {
             let lattice = method(named, kernel, &usual_ratio())?;
             let limit = proved(&lattice, integrator("leapfrog-kdk"), &integer(0))?;
-            Ok(vec![
-                kernel.title().to_owned(),
+            Ok(cells![
+                kernel.title(),
                 lattice.title(),
                 shown(&limit),
                 significant(limit.value() * to_f64(&usual_ratio()), 5),
                 significant(limit.value() / kernel.standard_deviation(), 5),
-                limit.evidence().name().into(),
+                limit.evidence().name(),
             ])
         })
         .collect();
-    for row in rows? {
-        table.push(row);
-    }
-    Ok(Item::Table { name: "integrator_table_kernels".into(), table, command: COMMAND.into() })
+    let ratio = words!["ratio" = to_text(&usual_ratio())];
+    Ok(text().table("integrator_table_kernels", ratio, rows?))
 }

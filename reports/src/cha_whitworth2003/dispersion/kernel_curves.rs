@@ -1,9 +1,11 @@
 //! Speed and damping of waves for every kernel, at equal resolution.
 
 use super::super::ReportError;
-use super::{figure_item, lattice, phases, usual_ratio};
+use super::{lattice, phases, text, usual_ratio};
+use crate::cells;
 use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
 use crate::page::Item;
+use crate::paper_text::csv;
 use crate::wave_map::wave_number_axis;
 use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
@@ -29,7 +31,7 @@ pub fn item() -> Result<Item, ReportError> {
     ];
     let phases = phases(240);
     let mut figure = Figure::grid(2, 2).size(7.4, 6.2).legend_below();
-    let mut text = String::from("method,quantity,kernel,ratio,kappa,value\n");
+    let mut lines = Vec::new();
     for (title, method, quantity, (label, low, high)) in panels {
         let mut panel =
             Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label).range(low, high))
@@ -43,9 +45,8 @@ pub fn item() -> Result<Item, ReportError> {
             let points: Vec<(f64, f64)> =
                 phases.iter().map(|&phase| (phase, quantity.of(&waves.mode(phase)))).collect();
             for (phase, value) in &points {
-                let (name, ratio) = (kernel.name(), to_text(&at));
                 let what = if quantity == Quantity::Speed { "speed" } else { "damping" };
-                text.push_str(&format!("{method},{what},{name},{ratio},{phase},{value}\n"));
+                lines.push(cells![method, what, kernel.name(), to_text(&at), phase, value]);
             }
             let line = Line::new(points)
                 .color(Color::qualitative(index))
@@ -56,14 +57,6 @@ pub fn item() -> Result<Item, ReportError> {
         }
         figure = figure.panel(panel);
     }
-    let caption = "Speed and damping per wavelength, −2π Im ω/(cκ), of the forward wave for every kernel. The smoothing \
-                   ratios give all kernels the standard deviation of the cubic B-spline at h/Δ = 1.2, so that they resolve \
-                   equally: what differs is the shape. ρ0 = M Σ W, isothermal, 0 < κΔ ≤ π, exact in time."
-        .into();
-    Ok(figure_item(
-        "kernel_waves",
-        figure,
-        caption,
-        vec![("kernel_waves.csv".into(), text.into_bytes())],
-    ))
+    let data = csv("method,quantity,kernel,ratio,kappa,value", lines);
+    Ok(text().figure("kernel_waves", &[], figure, vec![("kernel_waves.csv".into(), data)]))
 }

@@ -1,83 +1,44 @@
 //! Errors and conservation of every run.
 
-use super::COMMAND;
 use super::runs::{Runs, Solved};
+use super::text;
+use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
-use crate::table::{Align, Table};
-
-fn number(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "–".into(), |value| significant(value, digits))
-}
-
-fn outcome(solved: &Solved) -> String {
-    solved.run.failure.map_or_else(|| "completed".into(), |failure| failure.to_string())
-}
+use crate::paper_text::or_dash;
 
 /// `Σ|e|/N`; a run that broke down has no norm.
 pub(super) fn errors(runs: &Runs) -> Item {
-    let mut table = Table::new(
-        "L1 errors Σ|e|/N over the particles inside the comparison window, against the exact solution \
-         (sound wave: linear acoustics; Woodward & Colella's blasts have none). Cubic spline with h = 1 spacing, \
-         case 4 Gaussian with 1.05; step 0.5 of the shortest crossing time; the paper's Riemann solvers; SPH α = 1, β = 2.",
-        &[
-            ("scene", Align::Left),
-            ("method", Align::Left),
-            ("N", Align::Right),
-            ("inside", Align::Right),
-            ("density", Align::Right),
-            ("velocity", Align::Right),
-            ("pressure", Align::Right),
-            ("energy", Align::Right),
-            ("outcome", Align::Left),
-        ],
-    );
-    for solved in runs.to_the_end() {
-        let errors = solved.run.errors.filter(|_| solved.run.completed());
-        table.push([
-            solved.scene.name.to_string(),
-            solved.options.method.name().into(),
-            solved.run.profile.len().to_string(),
+    let rows = runs.customary().iter().map(|Solved { scene, options, run, .. }| {
+        let errors = run.errors.filter(|_| run.completed());
+        cells![
+            scene.name,
+            options.method.name(),
+            run.profile.len(),
             errors.map_or_else(|| "–".into(), |e| e.inside.to_string()),
-            number(errors.map(|e| e.density), 3),
-            number(errors.map(|e| e.velocity), 3),
-            number(errors.map(|e| e.pressure), 3),
-            number(errors.and_then(|e| e.energy), 3),
-            outcome(solved),
-        ]);
-    }
-    Item::Table { name: "particle_errors".into(), table, command: COMMAND.into() }
+            or_dash(errors.map(|e| e.density), 3),
+            or_dash(errors.map(|e| e.velocity), 3),
+            or_dash(errors.map(|e| e.pressure), 3),
+            or_dash(errors.and_then(|e| e.energy), 3),
+            run.failure.map_or_else(|| "completed".into(), |failure| failure.to_string()),
+        ]
+    });
+    text().table("particle_errors", &[], rows)
 }
 
 pub(super) fn conservation(runs: &Runs) -> Item {
-    let mut table = Table::new(
-        "Conservation, penetration and work of the same runs. Momentum: change less the impulse of the walls over \
-         Σ m (|v| + c); energy: relative change of the total. Out of order: neighbours that have passed each other, the \
-         most after any step. A pair interaction is one force between two particles.",
-        &[
-            ("scene", Align::Left),
-            ("method", Align::Left),
-            ("steps", Align::Right),
-            ("momentum", Align::Right),
-            ("energy", Align::Right),
-            ("out of order", Align::Right),
-            ("pair interactions", Align::Right),
-            ("Riemann iterations per pair", Align::Right),
-        ],
-    );
-    for solved in runs.to_the_end() {
-        let run = &solved.run;
+    let rows = runs.customary().iter().map(|Solved { scene, options, run, .. }| {
         let pairs = run.counters.interactions;
-        table.push([
-            solved.scene.name.to_string(),
-            solved.options.method.name().into(),
-            run.steps.to_string(),
+        cells![
+            scene.name,
+            options.method.name(),
+            run.steps,
             significant(run.drift.momentum, 2),
-            number(run.drift.energy, 2),
-            run.penetration.largest.to_string(),
-            pairs.to_string(),
+            or_dash(run.drift.energy, 2),
+            run.penetration.largest,
+            pairs,
             significant(run.counters.riemann_iterations as f64 / pairs as f64, 2),
-        ]);
-    }
-    Item::Table { name: "particle_conservation".into(), table, command: COMMAND.into() }
+        ]
+    });
+    text().table("particle_conservation", &[], rows)
 }

@@ -1,10 +1,10 @@
 //! The thin shell between contact and shock of the strong blast.
 
-use super::COMMAND;
 use super::runs::Runs;
+use super::text;
+use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
-use crate::table::{Align, Table};
 use courant_simulation::particles::{Flow, Material, ParticleMethod, ParticleScene};
 use courant_simulation::riemann::{Solution, solve};
 
@@ -83,28 +83,15 @@ pub fn blast_shell(runs: &Runs) -> Vec<Shell> {
 }
 
 pub(super) fn table(shells: &[Shell]) -> Item {
-    let mut table = Table::new(
-        "The shell of the blast between contact and shock (250 particles, t = 5e-3). Densities over the exact density \
-         of the shell, γ + 1 over γ − 1 = 6 to nine digits; the mean leaves out three particles at each edge. Ripple: \
-         largest |P/P* − 1| of five particles on each side of the contact.",
-        &[
-            ("method", Align::Left),
-            ("particles in the shell", Align::Right),
-            ("mean density", Align::Right),
-            ("largest density", Align::Right),
-            ("pressure ripple", Align::Right),
-            ("velocity overshoot", Align::Right),
-        ],
-    );
-    for shell in shells {
-        table.push([
-            shell.method.name().to_string(),
-            shell.particles.to_string(),
+    let rows = shells.iter().map(|shell| {
+        cells![
+            shell.method.name(),
+            shell.particles,
             format!("{:.4}", shell.mean_density),
             format!("{:.4}", shell.largest_density),
             significant(shell.pressure_ripple, 3),
             format!("{:.2} %", 100.0 * shell.velocity_overshoot),
-        ]);
-    }
-    Item::Table { name: "blast_shell".into(), table, command: COMMAND.into() }
+        ]
+    });
+    text().table("blast_shell", &[], rows)
 }

@@ -1,12 +1,12 @@
 //! What the paper says of its one-dimensional tests: the measures by the names that the claims use.
 
-use super::COMMAND;
 use super::blast_shell::{Shell, pressure_ripple};
 use super::collision::PenetrationCount;
 use super::rarefied_contact::ContactEnergy;
 use super::runs::Runs;
 use super::sound_wave::peak;
-use crate::claim::{Claims, table};
+use super::text;
+use crate::claim::{Claims, rows};
 use crate::page::Item;
 use courant_simulation::particles::{ParticleMethod, SolverChoice};
 
@@ -25,14 +25,7 @@ pub(super) fn item(evidence: &Evidence<'_>) -> Item {
     let found = claims
         .judge(|_, name, arguments, member| evidence.measure(name, arguments, member))
         .expect("the claims are judged by a test");
-    let caption = "Claims of the paper about its one-dimensional tests and our numbers. Every verdict is a rule applied to the \
-         numbers, at the settings of the tables above; the paper does not state kernel, h/Δx and step. Where work is claimed, \
-         pair interactions are judged, which are the same on every machine.";
-    Item::Table {
-        name: "particle_claims".into(),
-        table: table(caption, &found),
-        command: COMMAND.into(),
-    }
+    text().table("particle_claims", &[], rows(&found))
 }
 
 impl Evidence<'_> {
@@ -42,9 +35,7 @@ impl Evidence<'_> {
         let shell = || self.shells.iter().find(|shell| shell.method == method);
         Some(match (name, arguments) {
             ("density-error", [scene]) => {
-                let run = &self.runs.get(scene, method).run;
-                let errors = run.errors.filter(|_| run.completed());
-                errors.map_or(f64::INFINITY, |errors| errors.density)
+                self.runs.get(scene, method).density_error().unwrap_or(f64::INFINITY)
             }
             ("ripple", [scene]) => pressure_ripple(self.runs, scene, method),
             ("interactions" | "searches" | "iterations", [scene]) => {
@@ -104,21 +95,15 @@ impl Evidence<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::cha_whitworth2003::Detail;
-    use crate::cha_whitworth2003::particle_tests::{blast_shell, contact_energies, penetrations};
-    use courant_analysis::waves::sweep::no_progress;
+    use crate::cha_whitworth2003::{Detail, particle_tests::sections};
+    use crate::page::Item;
 
     #[test]
     fn every_claim_is_judged() {
-        let runs = Runs::compute(Detail::Quick, &no_progress).unwrap();
-        let evidence = Evidence {
-            runs: &runs,
-            shells: &blast_shell(&runs),
-            contacts: &contact_energies(),
-            penetrations: &penetrations(),
+        let sections = sections(Detail::Quick);
+        let Item::Table { table, .. } = &sections.last().unwrap().items[0] else {
+            panic!("a table")
         };
-        let Item::Table { table, .. } = item(&evidence) else { panic!("a table") };
         let verdicts: Vec<&str> = table.rows().map(|row| row.last().unwrap()).collect();
         assert_eq!(verdicts.len(), 17);
         assert!(!verdicts.contains(&"not decided"), "{verdicts:?}");

@@ -1,16 +1,13 @@
 //! Figure 27 and how far particles stay in their order when streams collide.
 
-use super::COMMAND;
-use super::runs::{Runs, Solved};
+use super::runs::{Plan, Runs, Solved, scene};
+use super::text;
 use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
 use crate::page::Item;
 use crate::particle_profile::{Quantity, exact_line, profile_csv};
-use crate::table::{Align, Table};
-use courant_simulation::particles::{
-    Flow, MethodOptions, ParticleMethod, ParticleScene, run_particles,
-};
+use crate::{cells, words};
+use courant_simulation::particles::{Flow, MethodOptions, ParticleMethod, ParticleScene};
 use courant_simulation::riemann::State;
-use rayon::prelude::*;
 
 const SCENES: [(&str, &str); 2] =
     [("collision-subsonic", "each at 0.6 c"), ("collision-supersonic", "each at 1.2 c")];
@@ -67,18 +64,10 @@ pub(super) fn figure(runs: &Runs) -> Item {
         }
     }
     let gph = runs.get(SCENES[0].0, ParticleMethod::Gph3);
-    Item::Figure {
-        name: "figure_27".into(),
-        figure: Box::new(Figure::grid(2, 2).size(7.4, 5.4).panels(panels).legend_below()),
-        caption: format!(
-            "Figure 27. Streams that collide at 0.6 c (t = 0.1) and 1.2 c (t = 0.05), isothermal, {} particles; {}; SPH with \
-             rk2-heun, α = 1, β = 2. Line: two exact isothermal shocks. Colours meet at the contact and do not mix.",
-            gph.run.profile.len(),
-            Solved::settings(&gph.options),
-        ),
-        data,
-        command: COMMAND.into(),
-    }
+    let words =
+        words!["particles" = gph.run.profile.len(), "settings" = Solved::settings(&gph.options),];
+    let figure = Figure::grid(2, 2).size(7.4, 5.4).panels(panels).legend_below();
+    text().figure("figure_27", words, figure, data)
 }
 
 /// Particles out of order in one collision.
@@ -96,29 +85,36 @@ pub struct PenetrationCount {
 
 const APPROACH: [f64; 6] = [0.6, 1.2, 2.0, 4.0, 6.0, 10.0];
 
-fn streams(approach: f64, constant_smoothing: bool) -> ParticleScene {
-    let scene = ParticleScene::named("collision-supersonic").expect("it is in the list of scenes");
+/// Collisions from slow to fast with adaptive and with constant smoothing lengths, every method.
+fn collisions() -> impl Iterator<Item = (f64, Plan)> {
+    let scene = scene("collision-supersonic");
     let state = |v| State::new(1.0, v, 1.0).expect("density and pressure are positive");
     let edge = scene.extent[1];
-    let flow = Flow::Layers(vec![(0.0, state(0.5 * approach)), (edge, state(-0.5 * approach))]);
-    ParticleScene { flow, constant_smoothing, ..scene }
+    let streams = move |approach: f64, constant_smoothing: bool| {
+        let layers = vec![(0.0, state(0.5 * approach)), (edge, state(-0.5 * approach))];
+        ParticleScene { flow: Flow::Layers(layers), constant_smoothing, ..scene.clone() }
+    };
+    ParticleMethod::ALL.into_iter().flat_map(move |method| {
+        let streams = streams.clone();
+        [false, true].into_iter().flat_map(move |constant| {
+            APPROACH.map(|approach| {
+                (approach, (streams(approach, constant), MethodOptions::new(method)))
+            })
+        })
+    })
 }
 
-/// Collisions from slow to fast with adaptive and with constant smoothing lengths, every method.
-pub fn penetrations() -> Vec<PenetrationCount> {
-    let mut plans = Vec::new();
-    for method in ParticleMethod::ALL {
-        for constant in [false, true] {
-            plans.extend(APPROACH.map(|approach| (method, constant, approach)));
-        }
-    }
-    plans
-        .into_par_iter()
-        .map(|(method, constant_smoothing, approach)| {
-            let scene = streams(approach, constant_smoothing);
-            let run = run_particles(&scene, scene.particles, &MethodOptions::new(method))
-                .expect("the report's options are in range");
+pub(super) fn plans() -> impl Iterator<Item = Plan> {
+    collisions().map(|(_, plan)| plan)
+}
+
+/// What came of the collisions.
+pub fn penetrations(runs: &Runs) -> Vec<PenetrationCount> {
+    collisions()
+        .map(|(approach, plan)| {
+            let Solved { scene, options, run, .. } = runs.of(&plan);
             let largest = run.completed().then_some(run.penetration.largest);
+            let (method, constant_smoothing) = (options.method, scene.constant_smoothing);
             PenetrationCount { method, approach, constant_smoothing, largest }
         })
         .collect()
@@ -126,20 +122,13 @@ pub fn penetrations() -> Vec<PenetrationCount> {
 
 pub(super) fn table(counts: &[PenetrationCount]) -> Item {
     let speeds = APPROACH.map(|approach| format!("{approach} c"));
-    let mut columns = vec![("method", Align::Left), ("h", Align::Left)];
-    columns.extend(speeds.iter().map(|speed| (speed.as_str(), Align::Right)));
-    let mut table = Table::new(
-        "Pairs of neighbours that have passed each other, the most after any step, in collisions at a relative velocity of \
-         0.6 to 10 sound speeds: isothermal, 200 particles, t = 0.05. Zero: nobody passed.",
-        &columns,
-    );
-    for row in counts.chunks(APPROACH.len()) {
+    let rows = counts.chunks(APPROACH.len()).map(|row| {
         let h = if row[0].constant_smoothing { "constant" } else { "adaptive" };
-        let mut cells = vec![row[0].method.name().to_string(), h.into()];
+        let mut cells = cells![row[0].method.name(), h];
         cells.extend(row.iter().map(|count| {
             count.largest.map_or_else(|| "broke down".into(), |largest| largest.to_string())
         }));
-        table.push(cells);
-    }
-    Item::Table { name: "penetration".into(), table, command: COMMAND.into() }
+        cells
+    });
+    text().wide_table("penetration", &[], &speeds, rows)
 }

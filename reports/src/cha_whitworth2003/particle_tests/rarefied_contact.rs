@@ -1,14 +1,13 @@
 //! The energy at the centre of Sjögreen's test, and whether the Riemann solver is to blame.
 
-use super::COMMAND;
+use super::runs::{Plan, Runs, Solved, scene};
+use super::{Detail, text};
+use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
+use crate::paper_text::or_dash;
 use crate::particle_profile::internal_energy;
-use crate::table::{Align, Table};
-use courant_simulation::particles::{
-    MethodOptions, ParticleMethod, ParticleRun, ParticleScene, SolverChoice, run_particles,
-};
-use rayon::prelude::*;
+use courant_simulation::particles::{MethodOptions, ParticleMethod, ParticleScene, SolverChoice};
 
 /// Energy at the centre of one run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,9 +36,10 @@ fn solver_name(solver: SolverChoice) -> &'static str {
     }
 }
 
-/// Every method with every solver that makes a difference to it, at two resolutions.
-pub fn contact_energies() -> Vec<ContactEnergy> {
-    let scene = ParticleScene::named("sjogreen").expect("it is in the list of scenes");
+/// Every method with every solver that makes a difference to it; but for a quick report at a second resolution too.
+pub(super) fn plans(detail: Detail) -> Vec<Plan> {
+    let scene = scene("sjogreen");
+    let finer = ParticleScene { particles: 4 * scene.particles, ..scene.clone() };
     let mut plans = Vec::new();
     for method in ParticleMethod::ALL {
         let solvers: &[SolverChoice] = if method.is_godunov() {
@@ -47,28 +47,21 @@ pub fn contact_energies() -> Vec<ContactEnergy> {
         } else {
             &[SolverChoice::Published]
         };
-        for &solver in solvers {
-            plans.push((method, solver, scene.particles));
+        let options = |solver| MethodOptions { solver, ..MethodOptions::new(method) };
+        plans.extend(solvers.iter().map(|&solver| (scene.clone(), options(solver))));
+        if detail != Detail::Quick {
+            plans.push((finer.clone(), options(SolverChoice::Exact)));
         }
-        plans.push((method, SolverChoice::Exact, 4 * scene.particles));
     }
     plans
-        .into_par_iter()
-        .map(|(method, solver, particles)| {
-            let options = MethodOptions { solver, ..MethodOptions::new(method) };
-            let run = run_particles(&scene, particles, &options)
-                .expect("the report's options are in range");
-            measure(&scene, method, solver, &run)
-        })
-        .collect()
 }
 
-fn measure(
-    scene: &ParticleScene,
-    method: ParticleMethod,
-    solver: SolverChoice,
-    run: &ParticleRun,
-) -> ContactEnergy {
+/// What came of them.
+pub fn contact_energies(runs: &Runs, detail: Detail) -> Vec<ContactEnergy> {
+    plans(detail).iter().map(|plan| measure(runs.of(plan))).collect()
+}
+
+fn measure(Solved { scene, options, run, .. }: &Solved) -> ContactEnergy {
     let profile = &run.profile;
     let exact = |i: usize| {
         let state =
@@ -84,8 +77,8 @@ fn measure(
     };
     let hot = inside.iter().filter(|&&i| profile.energy[i] > 1.1 * exact(i).1).count();
     ContactEnergy {
-        method,
-        solver,
+        method: options.method,
+        solver: options.solver,
         particles: profile.len(),
         energy: run.completed().then(|| mean(&|i| profile.energy[i])),
         exact: mean(&|i| exact(i).1),
@@ -95,32 +88,17 @@ fn measure(
 }
 
 pub(super) fn table(contacts: &[ContactEnergy]) -> Item {
-    let mut table = Table::new(
-        "Sjögreen's test at t = 0.18: specific internal energy u and density of the two particles next to the centre, \
-         against the exact solution at their places (they stand farther out than x = 0 in a gas this thin). Too hot: share \
-         of the particles in the window with u more than a tenth above the exact one. SPH has no Riemann solver.",
-        &[
-            ("method", Align::Left),
-            ("Riemann solver", Align::Left),
-            ("N", Align::Right),
-            ("u at the centre", Align::Right),
-            ("exact", Align::Right),
-            ("u over exact", Align::Right),
-            ("density over exact", Align::Right),
-            ("too hot", Align::Right),
-        ],
-    );
-    for contact in contacts {
-        table.push([
-            contact.method.name().to_string(),
-            if contact.method.is_godunov() { solver_name(contact.solver) } else { "–" }.into(),
-            contact.particles.to_string(),
+    let rows = contacts.iter().map(|contact| {
+        cells![
+            contact.method.name(),
+            if contact.method.is_godunov() { solver_name(contact.solver) } else { "–" },
+            contact.particles,
             contact.energy.map_or_else(|| "broke down".into(), |u| significant(u, 4)),
             significant(contact.exact, 4),
-            contact.energy.map_or_else(|| "–".into(), |u| significant(u / contact.exact, 3)),
+            or_dash(contact.energy.map(|u| u / contact.exact), 3),
             significant(contact.density, 3),
             format!("{:.1} %", 100.0 * contact.hot),
-        ]);
-    }
-    Item::Table { name: "contact_energy".into(), table, command: COMMAND.into() }
+        ]
+    });
+    text().table("contact_energy", &[], rows)
 }

@@ -1,30 +1,41 @@
-//! The runs that figures and tables share.
+//! The runs that figures and tables share: each is made once.
 
-use super::{Detail, ReportError};
+use super::{Detail, collision, cost, efficiency, rarefied_contact};
 use crate::particle_profile::exact_solution_holds;
-use courant_analysis::waves::sweep::{Progress, with_progress};
+use crate::timing::timed;
 use courant_simulation::particles::{
     MethodOptions, ParticleMethod, ParticleRun, ParticleScene, run_particles,
 };
 use rayon::prelude::*;
 
+/// A scene with its number of particles and its end time, and a method with its options.
+pub type Plan = (ParticleScene, MethodOptions);
+
 /// A scene, a method and what came of them.
 #[derive(Debug, Clone)]
 pub struct Solved {
-    /// The scene, with the end time of this run.
+    /// The scene, with the end time and the number of particles of this run.
     pub scene: ParticleScene,
     /// The method.
     pub options: MethodOptions,
     /// The run.
     pub run: ParticleRun,
+    /// The seconds it took on one thread.
+    pub seconds: f64,
 }
 
 impl Solved {
-    /// Runs a scene with its customary number of particles.
-    pub fn new(scene: ParticleScene, options: MethodOptions) -> Self {
-        let run = run_particles(&scene, scene.particles, &options)
-            .expect("the report's options are in range");
-        Self { scene, options, run }
+    fn new((scene, options): Plan, repeats: usize) -> Self {
+        let solve = || timed(|| run_particles(&scene, scene.particles, &options));
+        let (run, first) = solve();
+        let seconds = (1..repeats).map(|_| solve().1).fold(first, f64::min);
+        let run = run.expect("the report's options are in range");
+        Self { scene, options, run, seconds }
+    }
+
+    /// `Σ|e|/N` of the density; `None` if the run broke down.
+    pub fn density_error(&self) -> Option<f64> {
+        self.run.errors.filter(|_| self.run.completed()).map(|errors| errors.density)
     }
 
     /// Whether a comparison with the exact solution is fair: the run is complete.
@@ -46,80 +57,94 @@ impl Solved {
     }
 }
 
-/// Every scene with every method at the customary settings.
-#[derive(Debug, Clone)]
-pub struct Runs {
-    solved: Vec<Solved>,
-}
-
 /// The paper's first snapshot of the sound wave.
 pub(super) const EARLY: f64 = 0.2;
 
-/// Scenes beyond the paper's seven are left to the full report: they take four fifths of the work.
-fn scenes(detail: Detail) -> Vec<ParticleScene> {
+pub(super) fn scene(name: &str) -> ParticleScene {
+    ParticleScene::named(name).expect("it is in the list of scenes")
+}
+
+/// Every method with its customary options on a scene.
+pub(super) fn every_method(scene: &ParticleScene) -> [Plan; 6] {
+    ParticleMethod::ALL.map(|method| (scene.clone(), MethodOptions::new(method)))
+}
+
+/// Scenes beyond the paper's seven are left out of a quick report: they take four fifths of the work.
+fn customary(detail: Detail) -> Vec<Plan> {
     let mut scenes = ParticleScene::all().to_vec();
     if detail == Detail::Quick {
         scenes.truncate(7);
     }
-    scenes
+    scenes.iter().flat_map(every_method).collect()
 }
 
-fn plans(detail: Detail) -> Vec<(ParticleScene, MethodOptions)> {
-    let sound = ParticleScene::named("sound-wave").expect("it is in the list of scenes");
-    let early = ParticleScene { end_time: EARLY, ..sound };
-    scenes(detail)
-        .into_iter()
-        .chain([early])
-        .flat_map(|scene| {
-            ParticleMethod::ALL.map(|method| (scene.clone(), MethodOptions::new(method)))
-        })
-        .collect()
+/// Every run of the report, each once.
+#[derive(Debug, Clone)]
+pub struct Runs {
+    solved: Vec<Solved>,
+    customary: usize,
 }
 
 impl Runs {
-    /// How many there are.
-    pub fn count(detail: Detail) -> usize {
-        (scenes(detail).len() + 1) * ParticleMethod::ALL.len()
-    }
-
     /// Runs them all, several at a time.
-    ///
-    /// # Errors
-    /// When the callback stops the work.
-    pub fn compute(detail: Detail, progress: Progress<'_>) -> Result<Self, ReportError> {
-        // The longest first: the hard scenes are last in the list.
-        let plans = plans(detail).into_par_iter().rev().with_max_len(1);
-        let mut solved =
-            with_progress(plans, progress, |(scene, options)| Ok(Solved::new(scene, options)))?;
-        solved.reverse();
-        Ok(Self { solved })
+    pub fn compute(detail: Detail) -> Self {
+        let mut plans = customary(detail);
+        let customary = plans.len();
+        let early = ParticleScene { end_time: EARLY, ..scene("sound-wave") };
+        let others = every_method(&early)
+            .into_iter()
+            .chain(cost::plans())
+            .chain(efficiency::plans(detail))
+            .chain(rarefied_contact::plans(detail))
+            .chain(collision::plans());
+        for plan in others {
+            if !plans.contains(&plan) {
+                plans.push(plan);
+            }
+        }
+        let timed = cost::plans();
+        let repeats = |plan: &Plan| if timed.contains(plan) { cost::REPEATS } else { 1 };
+        let solve = |plan: Plan| {
+            let repeats = repeats(&plan);
+            Solved::new(plan, repeats)
+        };
+        // The long ones first, so that none is left alone at the end: their place is kept with them.
+        let mut plans: Vec<(usize, Plan)> = plans.into_iter().enumerate().collect();
+        plans.sort_by_key(|(_, (scene, _))| std::cmp::Reverse(scene.particles));
+        let mut solved: Vec<(usize, Solved)> = plans
+            .into_par_iter()
+            .with_max_len(1)
+            .map(|(place, plan)| (place, solve(plan)))
+            .collect();
+        solved.sort_by_key(|(place, _)| *place);
+        Self { solved: solved.into_iter().map(|(_, solved)| solved).collect(), customary }
     }
 
-    /// All of them, by scene and then by method; the early snapshots of the sound wave last.
-    pub fn all(&self) -> &[Solved] {
-        &self.solved
+    /// The runs of every scene by every method with its customary options, by scene and then by method.
+    pub fn customary(&self) -> &[Solved] {
+        &self.solved[..self.customary]
     }
 
-    /// The runs to their customary end times.
-    pub fn to_the_end(&self) -> impl Iterator<Item = &Solved> {
-        self.solved.iter().filter(|s| s.scene.name != "sound-wave" || s.scene.end_time > EARLY)
-    }
-
-    /// One run to its customary end time.
+    /// The run of a plan.
     ///
     /// # Panics
-    /// When the scene is not part of the report at this detail.
-    pub fn get(&self, scene: &str, method: ParticleMethod) -> &Solved {
-        self.to_the_end()
-            .find(|s| s.scene.name == scene && s.options.method == method)
-            .expect("the paper's scenes are always run")
+    /// When it is not part of the report at this detail.
+    pub fn of(&self, (scene, options): &Plan) -> &Solved {
+        let same = |solved: &&Solved| solved.scene == *scene && solved.options == *options;
+        self.solved.iter().find(same).expect("every plan of the report is run")
+    }
+
+    /// The run of a scene to its customary end time.
+    ///
+    /// # Panics
+    /// As [`of`](Self::of).
+    pub fn get(&self, name: &str, method: ParticleMethod) -> &Solved {
+        self.of(&(scene(name), MethodOptions::new(method)))
     }
 
     /// The sound wave before it reaches the walls.
     pub fn early(&self, method: ParticleMethod) -> &Solved {
-        self.solved
-            .iter()
-            .find(|s| s.scene.end_time == EARLY && s.options.method == method)
-            .expect("the early snapshots are always run")
+        let early = ParticleScene { end_time: EARLY, ..scene("sound-wave") };
+        self.of(&(early, MethodOptions::new(method)))
     }
 }

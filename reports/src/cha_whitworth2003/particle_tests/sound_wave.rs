@@ -1,10 +1,11 @@
 //! Figures 6–10: a pulse of velocity that parts, is reflected and comes back.
 
-use super::COMMAND;
 use super::runs::{EARLY, Runs, Solved};
+use super::text;
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::page::Item;
 use crate::particle_profile::{Quantity, exact_line, method_title, profile_csv};
+use crate::words;
 use courant_simulation::particles::ParticleMethod;
 
 const FIGURES: [(usize, ParticleMethod); 5] = [
@@ -47,39 +48,34 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
         }
         panel
     });
-    let Solved { scene, options, run } = snapshots[1];
+    let Solved { scene, options, run, .. } = snapshots[1];
     let title = if method.is_godunov() {
         format!("GPH case {}", number - 5)
     } else {
         "SPH 1 (SPH 2 differs by less than the width of a marker)".into()
     };
-    Item::Figure {
-        name: format!("figure_{number:02}"),
-        figure: Box::new(
-            Figure::grid(2, 1)
-                .size(5.6, 5.7)
-                .title(format!("Isothermal sound wave, {}", method_title(method)))
-                .panels(panels)
-                .legend_below(),
-        ),
-        caption: format!(
-            "Figure {number}. Isothermal sound wave, {title}: density and velocity at t = {EARLY} on the way out and at \
-             t = {} on the way back from the mirrors, against d'Alembert's solution. {} particles, constant h; {}. \
-             The largest velocity at the end is {:.3} of the exact one.",
-            scene.end_time,
-            run.profile.len(),
-            Solved::settings(options),
-            peak(snapshots[1]),
-        ),
-        data: snapshots
-            .iter()
-            .zip(["early", "late"])
-            .map(|(s, when)| {
-                (format!("figure_{number:02}_{when}.csv"), profile_csv(&s.scene, &s.run, true))
-            })
-            .collect(),
-        command: COMMAND.into(),
-    }
+    let name = format!("figure_{number:02}");
+    let caption = text().text(
+        "sound_wave_caption",
+        words![
+            "number" = number,
+            "title" = title,
+            "early" = EARLY,
+            "late" = scene.end_time,
+            "particles" = run.profile.len(),
+            "settings" = Solved::settings(options),
+            "peak" = format!("{:.3}", peak(snapshots[1])),
+        ],
+    );
+    let data = snapshots.iter().zip(["early", "late"]).map(|(solved, when)| {
+        (format!("{name}_{when}.csv"), profile_csv(&solved.scene, &solved.run, true))
+    });
+    let figure = Figure::grid(2, 1)
+        .size(5.6, 5.7)
+        .title(format!("Isothermal sound wave, {}", method_title(method)))
+        .panels(panels)
+        .legend_below();
+    text().figure(&name, words!["caption" = caption], figure, data.collect())
 }
 
 /// The largest velocity over the largest exact one: half the amplitude of the initial pulse, once its halves have

@@ -1,15 +1,15 @@
 //! How far the lattice theory carries when the particles are not on a lattice.
 
-use super::super::{COMMAND, Detail, ReportError};
-use super::discretisation;
+use super::{Detail, discretisation, text};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
+use crate::paper_text::csv;
+use crate::{cells, words};
 use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{AdvectionScheme, DisorderStudy, gain_against_disorder};
 use rayon::prelude::*;
-use std::fmt::Write;
 
 const PARTICLES: usize = 64;
 const MODES: [usize; 4] = [2, 8, 16, 32];
@@ -54,35 +54,19 @@ fn studies(sets: u64) -> Vec<Study> {
         .collect()
 }
 
-pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
-    let sets = match detail {
-        Detail::Full => 16,
-        Detail::Quick => 4,
-    };
+pub(super) fn section(detail: Detail) -> Section {
+    let sets = if detail == Detail::Quick { 4 } else { 16 };
     let studies = studies(sets);
-    Ok(Section {
-        title: "Disordered positions: how far the lattice theory carries".into(),
-        items: vec![
-            Item::Paragraph(explanation(&studies)),
-            Item::Figure {
-                name: "figure_disorder".into(),
-                figure: Box::new(figure(&studies)),
-                caption: format!(
-                    "Gain of a wave in one step at C = {COURANT_NUMBER} on positions displaced by up to so many \
-                     spacings, less its value on the lattice (a, b): the mean over {sets} sets of positions with its \
-                     spread. Factor per step of a long run less 1 (c, d), the largest modulus of the eigenvalues of a \
-                     step, at that Courant number and 2 % below and above the lattice's limit: mean, and smallest to \
-                     largest of the sets; above 0 something grows. Both schemes on one scale. Cubic spline, l/Δξ = 2, {PARTICLES} particles; \
-                     plain sums, volumes by Voronoi cells, no correction."
-                ),
-                data: vec![("figure_disorder.csv".into(), data(&studies))],
-                command: COMMAND.into(),
-            },
-        ],
-    })
+    let settings = words!["courant" = COURANT_NUMBER, "sets" = sets, "particles" = PARTICLES];
+    let data = vec![("figure_disorder.csv".into(), data(&studies))];
+    let items = vec![
+        explanation(&studies),
+        text().figure("figure_disorder", settings, figure(&studies), data),
+    ];
+    text().section("title_disorder", items)
 }
 
-fn explanation(studies: &[Study]) -> String {
+fn explanation(studies: &[Study]) -> Item {
     let deviation = |study: &Study, disorder: f64| {
         let rows = study.found.modes.iter().filter(|row| row.disorder == disorder);
         rows.map(|row| (row.mean.norm() - row.lattice.norm()).abs()).fold(0.0, f64::max)
@@ -91,36 +75,24 @@ fn explanation(studies: &[Study]) -> String {
         let row = study.found.growth.iter().find(|growth| growth.disorder == disorder);
         format!("{:.6}", row.expect("it is one of the disorders").mean_gain)
     };
-    let sentences: Vec<String> = studies
-        .chunks(1 + SHARES_OF_LIMIT.len())
-        .map(|of_scheme| {
-            let ends: Vec<String> = of_scheme
-                .iter()
-                .map(|study| {
-                    format!(
-                        "{} at C = {} ({} on the lattice)",
-                        at_end(study, 0.1),
-                        significant(study.courant_number, 4),
-                        at_end(study, 0.0)
-                    )
-                })
-                .collect();
-            format!(
-                "{}: displacements of a tenth of a spacing change the gain of a single step by at most {}, those \
-                 of four tenths by {}; in the long run a tenth leaves a factor per step of {}.",
-                of_scheme[0].scheme.title(),
-                significant(deviation(&of_scheme[0], 0.1), 2),
-                significant(deviation(&of_scheme[0], 0.4), 2),
-                ends.join(", "),
-            )
-        })
-        .collect();
-    format!(
-        "The amplification factor belongs to a uniform lattice; on uneven positions a step also mixes the waves. \
-         {} Godunov SPH moves its fluxes between pairs, so its mean stays on any positions and the factor never \
-         falls below 1; the plain sums of Lax–Wendroff SPH do not keep a constant, and what was to stay decays.",
-        sentences.join(" ")
-    )
+    let sentences = studies.chunks(1 + SHARES_OF_LIMIT.len()).map(|of_scheme| {
+        let ends = of_scheme.iter().map(|study| {
+            let courant = significant(study.courant_number, 4);
+            let (tenth, lattice) = (at_end(study, 0.1), at_end(study, 0.0));
+            format!("{tenth} at C = {courant} ({lattice} on the lattice)")
+        });
+        text().text(
+            "disorder_scheme",
+            words![
+                "scheme" = of_scheme[0].scheme.title(),
+                "tenth" = significant(deviation(&of_scheme[0], 0.1), 2),
+                "four-tenths" = significant(deviation(&of_scheme[0], 0.4), 2),
+                "ends" = ends.collect::<Vec<_>>().join(", "),
+            ],
+        )
+    });
+    let sentences = sentences.collect::<Vec<_>>().join(" ");
+    text().paragraph("disorder_text", words!["schemes" = sentences])
 }
 
 /// Displacement, mean, and the ends of its bar.
@@ -200,29 +172,17 @@ fn long_run(study: &Study) -> Curve {
 }
 
 fn data(studies: &[Study]) -> Vec<u8> {
-    let mut text = String::from(
-        "scheme,cfl,disorder,mode,phase,lattice_gain,mean_gain,spread,scattered,long_run_mean,long_run_smallest,long_run_largest\n",
-    );
-    for Study { scheme, courant_number, found } in studies {
-        for row in &found.modes {
+    let rows = studies.iter().flat_map(|Study { scheme, courant_number, found }| {
+        found.modes.iter().map(move |row| {
             let growth = found.growth.iter().find(|growth| growth.disorder == row.disorder);
             let growth = growth.expect("every disorder has its long run");
-            writeln!(
-                text,
-                "{scheme},{courant_number},{},{},{},{},{},{},{},{},{},{}",
-                row.disorder,
-                row.mode,
-                row.phase,
-                row.lattice.norm(),
-                row.mean.norm(),
-                row.spread,
-                row.scattered,
-                growth.mean_gain,
-                growth.smallest_gain,
-                growth.largest_gain
-            )
-            .expect("writing to a string succeeds");
-        }
-    }
-    text.into_bytes()
+            let mut cells = cells![scheme, courant_number, row.disorder, row.mode, row.phase];
+            cells.extend(cells![row.lattice.norm(), row.mean.norm(), row.spread, row.scattered]);
+            cells.extend(cells![growth.mean_gain, growth.smallest_gain, growth.largest_gain]);
+            cells
+        })
+    });
+    let header = "scheme,cfl,disorder,mode,phase,lattice_gain,mean_gain,spread,scattered,long_run_mean,\
+                  long_run_smallest,long_run_largest";
+    csv(header, rows)
 }

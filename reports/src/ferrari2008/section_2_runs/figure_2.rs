@@ -1,16 +1,16 @@
 //! Figure 2: both tests, both schemes, one and five periods.
 
-use super::super::{COMMAND, Detail, ReportError};
+use super::text;
 use crate::advection_profile::{exact_line, profile_markers};
 use crate::figure::{Axis, Color, Figure, Marker, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
-use crate::table::{Align, Table};
+use crate::paper_text::csv;
+use crate::{cells, words};
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
     AdvectionRun, AdvectionScheme, Layout, Method, RunPlan, Scene, run,
 };
-use std::fmt::Write;
 
 const SCHEMES: [(AdvectionScheme, Marker, Color); 2] = [
     (AdvectionScheme::LaxWendroffSph, Marker::Diamond, Color::VERMILION),
@@ -47,35 +47,21 @@ fn cases() -> Vec<Case> {
 }
 
 /// These runs take milliseconds and are the same in a quick report.
-pub(super) fn section(_detail: Detail) -> Result<Section, ReportError> {
+pub(super) fn section() -> Section {
     let cases = cases();
     let courant = cases[0].2[0].1.courant_number;
     let figure = cases
         .iter()
         .enumerate()
-        .fold(Figure::grid(2, 2).size(7.2, 5.6), |figure, (k, case)| figure.panel(panel(k, case)));
-    let figure = Item::Figure {
-        name: "figure_02".into(),
-        figure: Box::new(figure.legend_below()),
-        caption: format!(
-            "Figure 2. Linear advection of a step (2.28) and of a smooth hump (2.29) over one and five periods \
-             of the unit interval: 200 particles, C = {courant}, cubic spline, l/Δξ = 2, neighbours found among the \
-             particles. The paper states neither kernel nor ratio nor Courant number for this figure; these are \
-             choices, and `courant run advection-step --method godunov-sph --kernel K --ratio R --cfl C \
-             --periods P` draws it for others."
-        ),
-        data: cases.iter().map(data_file).collect(),
-        command: COMMAND.into(),
-    };
-    let table = Item::Table {
-        name: "figure_02_norms".into(),
-        table: norms(&cases),
-        command: COMMAND.into(),
-    };
-    Ok(Section {
-        title: "Figure 2: a step and a smooth hump after one and five periods".into(),
-        items: vec![figure, table, Item::Paragraph(explanation(&cases))],
-    })
+        .fold(Figure::grid(2, 2).size(7.2, 5.6), |figure, (k, case)| figure.panel(panel(k, case)))
+        .legend_below();
+    let data = cases.iter().map(data_file).collect();
+    let items = vec![
+        text().figure("figure_02", words!["courant" = courant], figure, data),
+        norms(&cases),
+        explanation(&cases),
+    ];
+    text().section("title_figure_2", items)
 }
 
 fn title(scene: &Scene) -> &'static str {
@@ -102,70 +88,53 @@ fn panel(index: usize, (scene, periods, runs): &Case) -> Panel {
 }
 
 fn data_file((scene, periods, runs): &Case) -> (String, Vec<u8>) {
-    let mut text = String::from("position,exact,lax_wendroff_sph,godunov_sph\n");
     let (_, first) = &runs[0];
-    for (i, position) in first.positions.iter().enumerate() {
-        let values: Vec<String> = runs.iter().map(|(_, run)| run.computed[i].to_string()).collect();
-        writeln!(text, "{position},{},{}", first.exact[i], values.join(","))
-            .expect("writing to a string succeeds");
-    }
-    (format!("figure_02_{}_{periods}.csv", scene.name()), text.into_bytes())
+    let rows = first.positions.iter().enumerate().map(|(i, position)| {
+        let mut row = cells![position, first.exact[i]];
+        row.extend(runs.iter().map(|(_, run)| run.computed[i].to_string()));
+        row
+    });
+    let header = "position,exact,lax_wendroff_sph,godunov_sph";
+    (format!("figure_02_{}_{periods}.csv", scene.name()), csv(header, rows))
 }
 
-fn norms(cases: &[Case]) -> Table {
-    let mut table = Table::new(
-        "Errors of the runs of Figure 2; the exact profiles lie in [0.25, 1] and [0.25, 1.25]",
-        &[
-            ("test", Align::Left),
-            ("periods", Align::Right),
-            ("scheme", Align::Left),
-            ("L1", Align::Right),
-            ("L2", Align::Right),
-            ("L∞", Align::Right),
-            ("total variation", Align::Right),
-            ("exact", Align::Right),
-            ("smallest", Align::Right),
-            ("largest", Align::Right),
-        ],
-    );
-    for (scene, periods, runs) in cases {
-        for (plan, run) in runs {
-            let seen = &run.comparison;
-            table.push([
-                title(scene).to_string(),
-                periods.to_string(),
-                plan.method.scheme.title().into(),
-                significant(seen.l1, 4),
-                significant(seen.l2, 4),
-                significant(seen.l_infinity, 4),
-                significant(seen.total_variation, 4),
-                significant(seen.exact_total_variation, 4),
-                significant(seen.extrema.min, 4),
-                significant(seen.extrema.max, 4),
-            ]);
-        }
-    }
-    table
+fn norms(cases: &[Case]) -> Item {
+    let runs = cases.iter().flat_map(|(scene, periods, runs)| {
+        runs.iter().map(move |(plan, run)| (scene, periods, plan, &run.comparison))
+    });
+    let rows = runs.map(|(scene, periods, plan, seen)| {
+        let mut row = cells![title(scene), periods, plan.method.scheme.title()];
+        let numbers = [
+            seen.l1,
+            seen.l2,
+            seen.l_infinity,
+            seen.total_variation,
+            seen.exact_total_variation,
+            seen.extrema.min,
+            seen.extrema.max,
+        ];
+        row.extend(numbers.map(|number| significant(number, 4)));
+        row
+    });
+    text().table("figure_02_norms", &[], rows)
 }
 
-fn explanation(cases: &[Case]) -> String {
-    let step = |scheme: AdvectionScheme| {
-        let (_, _, runs) = &cases[1];
-        let found = runs.iter().find(|(plan, _)| plan.method.scheme == scheme);
+fn explanation(cases: &[Case]) -> Item {
+    let [l, g] = SCHEMES.map(|(scheme, ..)| {
+        let mut runs = cases[1].2.iter();
+        let found = runs.find(|(plan, _)| plan.method.scheme == scheme);
         &found.expect("both schemes were run").1.comparison
-    };
-    let (lax_wendroff, godunov) =
-        (step(AdvectionScheme::LaxWendroffSph), step(AdvectionScheme::GodunovSph));
-    format!(
-        "Godunov SPH stays within the data, as a monotone scheme must (its monotonicity limit here is C = 8/5): \
-         the step after five periods lies in [{}, {}] and its total variation is {} of the exact one. \
-         Lax–Wendroff SPH is sharper and overshoots: [{}, {}], total variation {} times the exact one.",
-        significant(godunov.extrema.min, 4),
-        significant(godunov.extrema.max, 4),
-        significant(godunov.total_variation / godunov.exact_total_variation, 3),
-        significant(lax_wendroff.extrema.min, 4),
-        significant(lax_wendroff.extrema.max, 4),
-        significant(lax_wendroff.total_variation / lax_wendroff.exact_total_variation, 3),
+    });
+    text().paragraph(
+        "figure_02_explanation",
+        words![
+            "g-least" = significant(g.extrema.min, 4),
+            "g-most" = significant(g.extrema.max, 4),
+            "g-variation" = significant(g.total_variation / g.exact_total_variation, 3),
+            "l-least" = significant(l.extrema.min, 4),
+            "l-most" = significant(l.extrema.max, 4),
+            "l-variation" = significant(l.total_variation / l.exact_total_variation, 3),
+        ],
     )
 }
 

@@ -1,10 +1,10 @@
 //! Stability limits found by running, and a million steps on either side of one.
 
-use super::super::{COMMAND, Detail, ReportError};
-use super::{discretisation, kernels};
+use super::{Detail, discretisation, kernels, text};
 use crate::number::significant;
 use crate::page::{Item, Section};
-use crate::table::{Align, Table};
+use crate::paper_text::or_dash;
+use crate::{cells, words};
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::stability::sampled_stability_limit;
@@ -30,48 +30,35 @@ const STEPS_PER_WINDOW: u64 = 500;
 /// Particles of the rings of long runs.
 const LONG_PARTICLES: usize = 16;
 
-pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
-    let compared = compare(detail);
+pub(super) fn section(detail: Detail) -> Section {
     let steps = match detail {
+        Detail::Quick => 20_000,
+        Detail::Standard => 100_000,
         Detail::Full => 1_000_000,
-        Detail::Quick => 100_000,
     };
-    let inside = compared
-        .iter()
-        .filter(|(_, found)| {
-            found.as_ref().is_ok_and(|found| {
-                let width = found.measured.unstable - found.measured.stable;
-                (found.measured.stable - width..=found.measured.unstable + width)
-                    .contains(&found.ring)
-            })
-        })
-        .count();
-    let text = format!(
-        "The limit is looked for by running: noise on a ring of {PARTICLES} particles, stepped until the rate \
-         of growth has settled, and the Courant number bisected to {RESOLUTION:.0e}. A ring holds the waves \
-         φ = 2πm/{PARTICLES} only, so where the longest wave binds its limit lies above the proved limit of the \
-         lattice, by a part that shrinks with the square of the number of particles. The bracket found by \
-         running holds the symbol's limit on the ring in {inside} of {} cases.",
-        compared.len()
-    );
-    let runs = long_runs(steps);
-    Ok(Section {
-        title: "Limits by run".into(),
-        items: vec![
-            Item::Paragraph(text),
-            Item::Table {
-                name: "limits_by_run".into(),
-                table: limits_table(&compared),
-                command: COMMAND.into(),
-            },
-            Item::Table {
-                name: "long_runs".into(),
-                table: long_runs_table(&runs, steps),
-                command: COMMAND.into(),
-            },
-            Item::Paragraph(remarks(&runs)),
-        ],
-    })
+    let (compared, runs) = rayon::join(|| compare(detail), || long_runs(steps));
+    let holds = |found: &LimitComparison| {
+        let width = found.measured.unstable - found.measured.stable;
+        (found.measured.stable - width..=found.measured.unstable + width).contains(&found.ring)
+    };
+    let paragraph = words![
+        "particles" = PARTICLES,
+        "resolution" = format!("{RESOLUTION:.0e}"),
+        "inside" = compared.iter().filter(|(_, found)| found.as_ref().is_ok_and(holds)).count(),
+        "cases" = compared.len(),
+    ];
+    let ring = words!["particles" = LONG_PARTICLES, "steps" = steps];
+    let items = vec![
+        text().paragraph("limits_by_run_text", paragraph),
+        text().table(
+            "limits_by_run",
+            words!["particles" = PARTICLES],
+            compared.iter().map(limit_row),
+        ),
+        text().table("long_runs", ring, runs.iter().map(long_run_row)),
+        remarks(&runs),
+    ];
+    text().section("title_limits_by_run", items)
 }
 
 type Compared = (Discretisation, Result<LimitComparison, NoBracket>);
@@ -98,50 +85,20 @@ fn compare(detail: Detail) -> Vec<Compared> {
         .collect()
 }
 
-fn limits_table(compared: &[Compared]) -> Table {
-    let mut table = Table::new(
-        format!(
-            "Stability limits: proved, of the symbol on {PARTICLES} particles, and by running there"
-        ),
-        &[
-            ("scheme", Align::Left),
-            ("kernel", Align::Left),
-            ("l/Δξ", Align::Right),
-            ("proved (lattice)", Align::Right),
-            ("symbol (ring)", Align::Right),
-            ("no growth at", Align::Right),
-            ("growth at", Align::Right),
-            ("runs", Align::Right),
-            ("steps", Align::Right),
-        ],
-    );
-    for (case, found) in compared {
-        let mut cells = vec![
-            case.scheme().title().to_string(),
-            case.kernel().title().into(),
-            to_text(case.ratio()),
-        ];
-        match found {
-            Ok(found) => cells.extend([
-                significant(found.proved.value(), 8),
-                significant(found.ring, 8),
-                significant(found.measured.stable, 8),
-                significant(found.measured.unstable, 8),
-                found.measured.runs.to_string(),
-                found.measured.steps.to_string(),
-            ]),
-            Err(reason) => cells.extend([
-                format!("not found: {reason}"),
-                "–".into(),
-                "–".into(),
-                "–".into(),
-                "–".into(),
-                "–".into(),
-            ]),
+fn limit_row((case, found): &Compared) -> Vec<String> {
+    let mut cells = cells![case.scheme().title(), case.kernel().title(), to_text(case.ratio())];
+    match found {
+        Ok(found) => {
+            let measured = &found.measured;
+            let limits = [found.proved.value(), found.ring, measured.stable, measured.unstable];
+            cells.extend(limits.map(|limit| significant(limit, 8)));
+            cells.extend(cells![measured.runs, measured.steps]);
         }
-        table.push(cells);
+        Err(reason) => {
+            cells.extend(cells![format!("not found: {reason}"), "–", "–", "–", "–", "–"]);
+        }
     }
-    table
+    cells
 }
 
 /// What a long run is to show.
@@ -181,7 +138,7 @@ fn long_runs(steps: u64) -> Vec<LongCase> {
 }
 
 /// What the rows of the long runs say, with their numbers.
-fn remarks(runs: &[LongCase]) -> String {
+fn remarks(runs: &[LongCase]) -> Item {
     let find = |kernel: Kernel, ratio: &Rational| {
         let scheme = AdvectionScheme::LaxWendroffSph;
         let mut found = runs.iter().filter(|run| {
@@ -192,14 +149,12 @@ fn remarks(runs: &[LongCase]) -> String {
     };
     let drifting = find(Kernel::CubicSpline, &ratio(13, 10));
     let cut = find(Kernel::Gaussian, &ratio(5, 2));
-    format!(
-        "Just below a limit a long run shows no growth, just above it growth at the predicted rate. \
-         Lax–Wendroff SPH with the cubic spline at l/Δξ = 2 leaves the shortest wave as it is: below the limit \
-         that wave stays. At l/Δξ = 1.3 the scheme does not keep a constant: its mean is multiplied by {} at \
-         every step, whatever the waves do. With the cut Gaussian at l/Δξ = 2.5 it is strictly unstable, but so \
-         slowly that a wave takes {:.0} steps to double.",
-        drifting.growth.mean_gain.map_or_else(|| "–".into(), |gain| significant(gain, 4)),
-        2f64.ln() / cut.predicted_gain.ln(),
+    text().paragraph(
+        "long_runs_text",
+        words![
+            "drift" = or_dash(drifting.growth.mean_gain, 4),
+            "doubling" = format!("{:.0}", 2f64.ln() / cut.predicted_gain.ln()),
+        ],
     )
 }
 
@@ -210,58 +165,38 @@ fn ring_limit(case: &Discretisation) -> f64 {
     sampled_stability_limit(&case.margin(), &phases, &integer(20)).value()
 }
 
-fn long_runs_table(runs: &[LongCase], steps: u64) -> Table {
-    let mut table = Table::new(
-        format!("Noise on {LONG_PARTICLES} particles, {steps} steps"),
-        &[
-            ("scheme", Align::Left),
-            ("kernel", Align::Left),
-            ("l/Δξ", Align::Right),
-            ("C", Align::Right),
-            ("which is", Align::Left),
-            ("leading wave", Align::Left),
-            ("predicted |g| − 1", Align::Right),
-            ("measured |g| − 1", Align::Right),
-            ("factor of the mean − 1", Align::Right),
-            ("the run", Align::Left),
-        ],
-    );
+fn long_run_row(LongCase { what, case, run }: &LongCase) -> Vec<String> {
     // A window of a thousand steps gives a rate to about 1e-15.
     let excess = |gain: f64| match gain - 1.0 {
         excess if excess.abs() < 1e-14 => "0".into(),
         excess => significant(excess, 5),
     };
-    for LongCase { what, case, run } in runs {
-        let wave = match run.fastest_mode {
-            0 => "the mean".into(),
-            mode => {
-                format!("φ = {} rad", significant(TAU * mode as f64 / LONG_PARTICLES as f64, 4))
-            }
-        };
-        table.push([
-            case.scheme().title().to_string(),
-            case.kernel().title().into(),
-            to_text(case.ratio()),
-            significant(run.courant_number, 8),
-            what.clone(),
-            wave,
-            excess(run.predicted_gain),
-            if run.growth.gain_per_step.is_finite() {
-                excess(run.growth.gain_per_step)
-            } else {
-                format!("overflowed after {} steps", run.steps)
-            },
-            run.growth.mean_gain.map_or_else(|| "–".into(), excess),
-            match run.growth.verdict {
-                GrowthVerdict::Growing => "grows",
-                GrowthVerdict::Neutral => "stays",
-                GrowthVerdict::Decaying => "decays",
-                GrowthVerdict::Undecided => "undecided",
-            }
-            .into(),
-        ]);
-    }
-    table
+    let wave = match run.fastest_mode {
+        0 => "the mean".into(),
+        mode => format!("φ = {} rad", significant(TAU * mode as f64 / LONG_PARTICLES as f64, 4)),
+    };
+    let gain = run.growth.gain_per_step;
+    cells![
+        case.scheme().title(),
+        case.kernel().title(),
+        to_text(case.ratio()),
+        significant(run.courant_number, 8),
+        what,
+        wave,
+        excess(run.predicted_gain),
+        if gain.is_finite() {
+            excess(gain)
+        } else {
+            format!("overflowed after {} steps", run.steps)
+        },
+        run.growth.mean_gain.map_or_else(|| "–".into(), excess),
+        match run.growth.verdict {
+            GrowthVerdict::Growing => "grows",
+            GrowthVerdict::Neutral => "stays",
+            GrowthVerdict::Decaying => "decays",
+            GrowthVerdict::Undecided => "undecided",
+        },
+    ]
 }
 
 #[cfg(test)]

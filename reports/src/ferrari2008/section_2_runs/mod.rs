@@ -8,52 +8,31 @@ mod predicted_measured;
 mod printed_growth;
 mod speed;
 
-use super::{Detail, ReportError};
-use crate::page::{Publish, Section};
+use super::{Detail, text};
+use crate::page::Section;
+use crate::part::Part;
 use courant_analysis::exact::rational::Rational;
 use courant_analysis::kernel::Kernel;
-use courant_analysis::waves::sweep::{Progress, SweepError};
 use courant_simulation::advection::{AdvectionScheme, Discretisation};
 
-/// The stages of these sections, for the progress bar.
-const STAGES: usize = 6;
-
-/// Hands over the sections as they are finished.
-///
-/// # Errors
-/// When the callback stops the work, a figure cannot be composed or a section cannot be published.
-pub fn publish_sections(
-    detail: Detail,
-    progress: Progress<'_>,
-    publish: &mut Publish<'_>,
-) -> Result<(), ReportError> {
-    type Stage = fn(Detail) -> Result<Section, ReportError>;
-    let stages: [Stage; STAGES] = [
-        figure_2::section,
-        predicted_measured::section,
-        printed_growth::section,
-        limits_by_run::section,
-        disorder::section,
-        // The last: its times are taken alone.
-        speed::section,
-    ];
-    for (done, stage) in stages.into_iter().enumerate() {
-        if progress(done, STAGES).is_break() {
-            return Err(SweepError::Cancelled.into());
-        }
-        publish(stage(detail)?)?;
-    }
-    if progress(STAGES, STAGES).is_break() {
-        return Err(SweepError::Cancelled.into());
-    }
-    Ok(())
+/// The parts of these sections.
+pub fn parts(detail: Detail) -> [Part; 6] {
+    let section = |make: fn(Detail) -> Section| move || Ok(vec![make(detail)]);
+    [
+        Part::new("Figure 2", section(|_| figure_2::section())),
+        Part::new("predicted against measured", section(predicted_measured::section)),
+        Part::new("growth at printed limits", section(|_| printed_growth::section())),
+        Part::new("limits by run", section(limits_by_run::section)),
+        Part::new("disordered positions", section(disorder::section)),
+        Part::new("work against error", section(speed::section)),
+    ]
 }
 
 /// The kernels looked at.
 fn kernels(detail: Detail) -> &'static [Kernel] {
     match detail {
-        Detail::Full => &Kernel::ALL,
         Detail::Quick => &[Kernel::CubicSpline, Kernel::Gaussian],
+        Detail::Standard | Detail::Full => &Kernel::ALL,
     }
 }
 

@@ -1,120 +1,73 @@
 //! Predicted against measured: symbol and running scheme, mode by mode.
 
-use super::super::{COMMAND, Detail, ReportError};
-use super::discretisation;
+use super::{Detail, discretisation, text};
 use crate::advection_validation::{Settings, ValidatedCase, ValidationCase, run_cases};
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
-use crate::page::{Item, Section};
-use crate::table::{Align, Table};
+use crate::page::Section;
+use crate::paper_text::csv;
+use crate::{cells, words};
 use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::AdvectionScheme;
 use std::f64::consts::PI;
-use std::fmt::Write;
 
-pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
-    let settings = Settings {
-        steps: match detail {
-            Detail::Full => 100,
-            Detail::Quick => 10,
-        },
-        ..Settings::default()
-    };
-    let mut cases = Vec::new();
-    for scheme in AdvectionScheme::ALL {
-        for kernel in Kernel::ALL {
-            let discretisation = discretisation(scheme, kernel, integer(2));
-            cases.extend(ValidationCase::about_the_limit(&discretisation, settings));
-        }
-    }
+pub(super) fn section(detail: Detail) -> Section {
+    let settings =
+        Settings { steps: if detail == Detail::Quick { 10 } else { 100 }, ..Settings::default() };
+    let discretisations = AdvectionScheme::ALL
+        .into_iter()
+        .flat_map(|scheme| Kernel::ALL.map(|kernel| discretisation(scheme, kernel, integer(2))));
+    let cases: Vec<ValidationCase> = discretisations
+        .flat_map(|discretisation| ValidationCase::about_the_limit(&discretisation, settings))
+        .collect();
     let cases = run_cases(cases, &|_, _| ()).expect("the numbers of the plans are in range");
     let worst = cases.iter().map(|case| case.validation.max_error).fold(0.0, f64::max);
-    let agree = cases.iter().filter(|case| case.validation.passed()).count();
-    let modes: usize = cases.iter().map(|case| case.validation.rows.len()).sum();
-    let text = format!(
-        "The symbol and the stepping code share the kernel and nothing else. All modes of a ring of {} \
-         particles are excited at once and stepped {} times over neighbours found among the particles; their \
-         factors per step are set beside the amplification factor. {agree} of {} cases agree within their \
-         tolerance, {modes} factors in all; the largest error is {}. `courant validate` prints the same comparison, \
-         case by case or mode by mode, for schemes, kernels, ratios and Courant numbers of one's own.",
-        settings.particles,
-        settings.steps,
-        cases.len(),
-        significant(worst, 2),
-    );
     let chosen: Vec<&ValidatedCase> = cases
         .iter()
         .filter(|case| case.case.plan.discretisation.kernel() == Kernel::CubicSpline)
         .collect();
-    Ok(Section {
-        title: "Predicted against measured".into(),
-        items: vec![
-            Item::Paragraph(text),
-            Item::Table {
-                name: "predicted_measured".into(),
-                table: table(&cases, settings),
-                command: COMMAND.into(),
-            },
-            Item::Figure {
-                name: "figure_predicted_measured".into(),
-                figure: Box::new(figure(&chosen)),
-                caption: format!(
-                    "Amplification of every mode, predicted (lines) and measured on the running scheme \
-                     (markers, every fourth mode), and the distance of the two complex factors below, with what \
-                     is allowed (dotted: the largest tolerance of the panel). Cubic spline, l/Δξ = 2, N = {}, \
-                     {} steps; each scheme at half its stability limit, at the limit and at one and a half \
-                     times the limit (Euler-SPH, which has none, at C = 1/2, 1, 3/2).",
-                    settings.particles, settings.steps
-                ),
-                data: vec![("figure_predicted_measured.csv".into(), data(&chosen))],
-                command: COMMAND.into(),
-            },
-        ],
-    })
+    let paragraph = words![
+        "particles" = settings.particles,
+        "steps" = settings.steps,
+        "agree" = cases.iter().filter(|case| case.validation.passed()).count(),
+        "cases" = cases.len(),
+        "modes" = cases.iter().map(|case| case.validation.rows.len()).sum::<usize>(),
+        "worst" = significant(worst, 2),
+    ];
+    let settings = words!["particles" = settings.particles, "steps" = settings.steps];
+    let data = vec![("figure_predicted_measured.csv".into(), data(&chosen))];
+    let items = vec![
+        text().paragraph("predicted_measured_text", paragraph),
+        text().table("predicted_measured", settings, cases.chunks(3).map(row)),
+        text().figure("figure_predicted_measured", settings, figure(&chosen), data),
+    ];
+    text().section("title_predicted_measured", items)
 }
 
-fn table(cases: &[ValidatedCase], settings: Settings) -> Table {
-    let mut table = Table::new(
-        format!(
-            "Largest error of a factor per step over three Courant numbers, and what is allowed in that case; \
-             l/Δξ = 2, N = {}, {} steps",
-            settings.particles, settings.steps
-        ),
-        &[
-            ("scheme", Align::Left),
-            ("kernel", Align::Left),
-            ("C (regime)", Align::Left),
-            ("largest |g|", Align::Left),
-            ("max error", Align::Right),
-            ("allowed", Align::Right),
-            ("agrees", Align::Left),
-        ],
-    );
-    for three in cases.chunks(3) {
-        let discretisation = &three[0].case.plan.discretisation;
-        let each = |text: &dyn Fn(&ValidatedCase) -> String| {
-            three.iter().map(text).collect::<Vec<_>>().join(", ")
-        };
-        let worst = three
-            .iter()
-            .max_by(|a, b| a.validation.max_error.total_cmp(&b.validation.max_error))
-            .expect("there are three cases");
-        let passed = three.iter().all(|case| case.validation.passed());
-        table.push([
-            discretisation.scheme().title().to_string(),
-            discretisation.kernel().title().into(),
-            each(&|case| {
-                let courant = case.case.plan.courant_number;
-                format!("{courant:.4} ({})", case.case.regime.name())
-            }),
-            each(&|case| format!("{:.4}", case.largest_gain())),
-            significant(worst.validation.max_error, 2),
-            significant(worst.validation.tolerance, 2),
-            if passed { "yes" } else { "NO" }.into(),
-        ]);
-    }
-    table
+/// One scheme with one kernel at three Courant numbers.
+fn row(three: &[ValidatedCase]) -> Vec<String> {
+    let discretisation = &three[0].case.plan.discretisation;
+    let each = |text: &dyn Fn(&ValidatedCase) -> String| {
+        three.iter().map(text).collect::<Vec<_>>().join(", ")
+    };
+    let worst = three
+        .iter()
+        .max_by(|a, b| a.validation.max_error.total_cmp(&b.validation.max_error))
+        .expect("there are three cases");
+    let passed = three.iter().all(|case| case.validation.passed());
+    cells![
+        discretisation.scheme().title(),
+        discretisation.kernel().title(),
+        each(&|case| {
+            let courant = case.case.plan.courant_number;
+            format!("{courant:.4} ({})", case.case.regime.name())
+        }),
+        each(&|case| format!("{:.4}", case.largest_gain())),
+        significant(worst.validation.max_error, 2),
+        significant(worst.validation.tolerance, 2),
+        if passed { "yes" } else { "NO" },
+    ]
 }
 
 fn figure(cases: &[&ValidatedCase]) -> Figure {
@@ -181,27 +134,19 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
 }
 
 fn data(cases: &[&ValidatedCase]) -> Vec<u8> {
-    let mut text = String::from(
-        "scheme,cfl,mode,phase,predicted_gain,predicted_phase,measured_gain,measured_phase,error\n",
-    );
-    for case in cases {
-        let plan = &case.case.plan;
-        for row in &case.validation.rows {
-            writeln!(
-                text,
-                "{},{},{},{},{},{},{},{},{}",
-                plan.discretisation.scheme(),
-                plan.courant_number,
-                row.mode,
-                row.phase,
-                row.predicted.norm(),
-                row.predicted.arg(),
-                row.measured.norm(),
-                row.measured.arg(),
-                row.error
-            )
-            .expect("writing to a string succeeds");
-        }
-    }
-    text.into_bytes()
+    let rows = cases.iter().flat_map(|case| {
+        let (plan, rows) = (&case.case.plan, &case.validation.rows);
+        rows.iter().map(|row| {
+            let (predicted, measured) = (row.predicted, row.measured);
+            let mut cells =
+                cells![plan.discretisation.scheme(), plan.courant_number, row.mode, row.phase];
+            cells.extend(cells![predicted.norm(), predicted.arg(), measured.norm()]);
+            cells.extend(cells![measured.arg(), row.error]);
+            cells
+        })
+    });
+    csv(
+        "scheme,cfl,mode,phase,predicted_gain,predicted_phase,measured_gain,measured_phase,error",
+        rows,
+    )
 }

@@ -1,11 +1,12 @@
 //! What a run does at the Courant numbers that Table 1 prints as stable.
 
-use super::super::{COMMAND, Detail, LimitKind, PublishedValue, ReportError, published_values};
-use super::discretisation;
+use super::super::{LimitKind, PublishedValue, published_values};
+use super::{discretisation, text};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
-use crate::page::{Item, Section};
-use crate::table::{Align, Table};
+use crate::page::Section;
+use crate::paper_text::csv;
+use crate::{cells, words};
 use courant_analysis::exact::rational::{to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
@@ -13,7 +14,6 @@ use courant_simulation::advection::{
     Stepper, growth_at,
 };
 use rayon::prelude::*;
-use std::fmt::Write;
 
 /// Steps of each run.
 const STEPS: u64 = 1000;
@@ -67,100 +67,50 @@ fn history(discretisation: &Discretisation, growth: &CriticalGrowth) -> Vec<(f64
 }
 
 /// These runs take milliseconds and are the same in a quick report.
-pub(super) fn section(_detail: Detail) -> Result<Section, ReportError> {
+pub(super) fn section() -> Section {
     let cases = cases();
     let worst = cases
         .iter()
         .filter_map(|case| Some((case.growth.measured_gain? - case.growth.predicted_gain).abs()))
         .fold(0.0, f64::max);
-    let caption = format!(
-        "Godunov SPH at the Courant numbers printed as stability limits in Table 1: amplitude of the \
-         fastest-growing mode of a ring over {STEPS} steps, measured on particles (markers) and predicted by \
-         the amplification factor (lines). The size of the ring (32 to 256) is the one with a mode closest to \
-         the fastest-growing wave. At l/Δξ = 1 with the cubic spline the limit is printed exactly: the mode \
-         stays."
-    );
-    let mut data = String::from("kernel,ratio,cfl,steps,predicted_log10,measured_log10\n");
-    for case in &cases {
-        for &(steps, measured) in &case.history {
-            writeln!(
-                data,
-                "{},{},{},{steps},{},{measured}",
-                case.printed.kernel.name(),
-                to_text(&case.printed.ratio),
-                case.growth.courant_number,
-                steps * case.growth.predicted_gain.log10()
-            )
-            .expect("writing to a string succeeds");
-        }
-    }
-    Ok(Section {
-        title: "Growth at the printed Courant numbers".into(),
-        items: vec![
-            Item::Paragraph(format!(
-                "If a printed limit is too high, a run at it must grow, and at the rate the amplification factor \
-                 says. It does: predicted and measured gain per step differ by at most {}.",
-                significant(worst, 2)
-            )),
-            Item::Table {
-                name: "printed_growth".into(),
-                table: table(&cases),
-                command: COMMAND.into(),
-            },
-            Item::Figure {
-                name: "figure_printed_growth".into(),
-                figure: Box::new(figure(&cases)),
-                caption,
-                data: vec![("figure_printed_growth.csv".into(), data.into_bytes())],
-                command: COMMAND.into(),
-            },
-        ],
-    })
+    let history = cases.iter().flat_map(|Case { printed, growth, history }| {
+        history.iter().map(|&(steps, measured)| {
+            let predicted = steps * growth.predicted_gain.log10();
+            let (kernel, ratio) = (printed.kernel.name(), to_text(&printed.ratio));
+            cells![kernel, ratio, growth.courant_number, steps, predicted, measured]
+        })
+    });
+    let data = csv("kernel,ratio,cfl,steps,predicted_log10,measured_log10", history);
+    let data = vec![("figure_printed_growth.csv".into(), data)];
+    let items = vec![
+        text().paragraph("printed_growth_text", words!["worst" = significant(worst, 2)]),
+        text().table("printed_growth", words!["steps" = STEPS], cases.iter().map(row)),
+        text().figure("figure_printed_growth", words!["steps" = STEPS], figure(&cases), data),
+    ];
+    text().section("title_printed_growth", items)
 }
 
-fn table(cases: &[Case]) -> Table {
-    let mut table = Table::new(
-        format!("Runs of {STEPS} steps at the printed stability limits, Godunov SPH"),
-        &[
-            ("kernel", Align::Left),
-            ("l/Δξ", Align::Right),
-            ("printed C", Align::Right),
-            ("largest |g| − 1", Align::Right),
-            ("wavelength/Δξ", Align::Right),
-            ("N", Align::Right),
-            ("mode", Align::Right),
-            ("predicted |g| − 1", Align::Right),
-            ("measured |g| − 1", Align::Right),
-            ("steps to double", Align::Right),
-        ],
-    );
+fn row(Case { printed, growth, .. }: &Case) -> Vec<String> {
     // Rounding of a gain of 1 is no growth.
     let excess = |gain: f64| {
         if (gain - 1.0).abs() < 1e-14 { "0".into() } else { significant(gain - 1.0, 6) }
     };
-    for Case { printed, growth, .. } in cases {
-        let grows = growth.largest_gain - 1.0 > 1e-14;
-        table.push([
-            printed.kernel.title().to_string(),
-            to_text(&printed.ratio),
-            format!("{:.2}", growth.courant_number),
-            excess(growth.largest_gain),
-            if grows {
-                format!("{} Δξ", significant(2.0 * std::f64::consts::PI / growth.critical_phase, 4))
-            } else {
-                "–".into()
-            },
-            growth.particles.to_string(),
-            growth.mode.to_string(),
-            excess(growth.predicted_gain),
-            growth.measured_gain.map_or_else(|| "overflowed".into(), excess),
-            growth
-                .steps_to_double
-                .filter(|_| grows)
-                .map_or_else(|| "–".into(), |steps| format!("{steps:.0}")),
-        ]);
-    }
-    table
+    let if_it_grows = |text: Option<String>| {
+        text.filter(|_| growth.largest_gain - 1.0 > 1e-14).unwrap_or_else(|| "–".into())
+    };
+    let wavelength = 2.0 * std::f64::consts::PI / growth.critical_phase;
+    cells![
+        printed.kernel.title(),
+        to_text(&printed.ratio),
+        format!("{:.2}", growth.courant_number),
+        excess(growth.largest_gain),
+        if_it_grows(Some(format!("{} Δξ", significant(wavelength, 4)))),
+        growth.particles,
+        growth.mode,
+        excess(growth.predicted_gain),
+        growth.measured_gain.map_or_else(|| "overflowed".into(), excess),
+        if_it_grows(growth.steps_to_double.map(|steps| format!("{steps:.0}"))),
+    ]
 }
 
 fn figure(cases: &[Case]) -> Figure {

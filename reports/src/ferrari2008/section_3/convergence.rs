@@ -1,11 +1,12 @@
 //! How errors fall with the number of particles.
 
-use super::cost::{Point, TimedPoint, curve, resolutions};
-use super::{COMMAND, Detail, error_or_failure, panel_title, table_item};
+use super::cost::{Point, curve};
+use super::{Detail, error_or_failure, panel_title, text};
 use crate::figure::{Axis, Color, Figure, Line, Panel};
 use crate::number::significant;
 use crate::page::Item;
-use crate::table::{Align, Table};
+use crate::paper_text::csv;
+use crate::{cells, words};
 use courant_simulation::method::Method;
 use rayon::prelude::*;
 
@@ -13,10 +14,28 @@ use rayon::prelude::*;
 /// twenty seconds at N = 1600 in test 4, so it stops earlier.
 fn most(detail: Detail, name: &str) -> usize {
     match (detail, name) {
-        (Detail::Full, "sph-adke") => 800,
-        (Detail::Full, _) => 3200,
         (Detail::Quick, _) => 200,
+        (Detail::Standard, "sph-adke") => 400,
+        (Detail::Standard, _) | (Detail::Full, "sph-adke") => 800,
+        (Detail::Full, _) => 3200,
     }
+}
+
+/// Numbers of particles that double from 50.
+fn resolutions(most: usize) -> impl Iterator<Item = usize> {
+    std::iter::successors(Some(50), |n| Some(2 * n)).take_while(move |&n| n <= most)
+}
+
+/// Every method on every test with more and more particles, the largest numbers first.
+pub fn points(detail: Detail) -> Vec<Point> {
+    let mut cases: Vec<(usize, &'static str, usize)> = (1..=4)
+        .flat_map(|test| Method::NAMES.map(|name| (test, name)))
+        .flat_map(|(test, name)| resolutions(most(detail, name)).map(move |n| (test, name, n)))
+        .collect();
+    // The long runs first, so that none is left alone at the end.
+    cases.sort_by_key(|case| std::cmp::Reverse(case.2));
+    let run = |(test, name, n)| Point::run(test, name, n);
+    cases.into_par_iter().with_max_len(1).map(run).collect()
 }
 
 /// The slope of `−ln error` over `ln N` by least squares; `None` for fewer than two points.
@@ -32,25 +51,8 @@ pub fn order(points: &[(f64, f64)]) -> Option<f64> {
     Some(-xy / xx)
 }
 
-/// Table and figure. What was measured with its time is not run again.
-pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
-    let known = |test, name, n| {
-        timed
-            .iter()
-            .map(|timed| timed.point)
-            .find(|point| (point.test, point.name, point.particles) == (test, name, n))
-    };
-    let mut cases: Vec<(usize, &'static str, usize)> = (1..=4)
-        .flat_map(|test| Method::NAMES.map(|name| (test, name)))
-        .flat_map(|(test, name)| resolutions(most(detail, name)).map(move |n| (test, name, n)))
-        .collect();
-    // The long runs first, so that none is left alone at the end.
-    cases.sort_by_key(|case| std::cmp::Reverse(case.2));
-    let points: Vec<Point> = cases
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|(test, name, n)| known(test, name, n).unwrap_or_else(|| Point::run(test, name, n)))
-        .collect();
+/// Table and figure.
+pub fn items(detail: Detail, points: &[Point]) -> Vec<Item> {
     let of = |test: usize, name: &str| -> Vec<(f64, f64)> {
         let mut series: Vec<(f64, f64)> = points
             .iter()
@@ -61,22 +63,15 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
         series
     };
     let all: Vec<usize> = resolutions(most(detail, "finite-volume")).collect();
-    let names: Vec<String> = all.iter().map(|n| format!("N = {n}")).collect();
-    let mut columns = vec![("test", Align::Left), ("method", Align::Left)];
-    columns.extend(names.iter().map(|name| (name.as_str(), Align::Right)));
-    columns.extend([("order", Align::Right), ("order, last three", Align::Right)]);
-    let mut table = Table::new(
-        "Σ|e|/N of the density inside [0, 1] against N; orders fitted by least squares over all \
-         and over the three largest N that ran",
-        &columns,
-    );
+    let columns: Vec<String> = all.iter().map(|n| format!("N = {n}")).collect();
+    let mut rows = Vec::new();
     let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
     for test in 1..=4 {
         let mut panel =
             Panel::new(Axis::log("N"), Axis::log("Σ|e|/N of ρ")).title(panel_title(test));
         for (index, name) in Method::NAMES.into_iter().enumerate() {
             let series = of(test, name);
-            let mut row = vec![test.to_string(), name.into()];
+            let mut row = cells![test, name];
             row.extend(all.iter().map(|&n| {
                 let found = points
                     .iter()
@@ -92,7 +87,7 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
             };
             row.push(slope(&series));
             row.push(slope(&series[series.len().saturating_sub(3)..]));
-            table.push(row);
+            rows.push(row);
             if index == 0
                 && let Some(&(n, error)) = series.last()
             {
@@ -105,31 +100,17 @@ pub fn items(detail: Detail, timed: &[TimedPoint]) -> Vec<Item> {
         }
         figure = figure.panel(panel);
     }
-    let data = vec![("section_3_convergence_points.csv".to_string(), csv(&points))];
+    let lines = points.iter().map(|point| {
+        cells![point.test, point.name, point.particles, error_or_failure(&point.error)]
+    });
+    let data = csv("test,method,particles,l1_density,failure", lines);
     vec![
-        Item::Figure {
-            name: "section_3_convergence".into(),
-            figure: Box::new(figure),
-            caption: format!(
-                "Error of the density against N for the five methods, settings as in Figures 3 to 21. \
-                 Grey: first order. Runs that fail have no point; standard SPH stops at N = {} for its \
-                 computing time. A jump that is smeared over N^(−1/2) of the mass makes the order 1/2: \
-                 contacts, but for the exact flux, which does not diffuse them. Σ|e|/N weighs by mass for \
-                 particles and by volume for cells.",
-                most(detail, "sph-adke")
-            ),
-            data,
-            command: COMMAND.into(),
-        },
-        table_item("section_3_convergence_table", table),
+        text().figure(
+            "section_3_convergence",
+            words!["most" = most(detail, "sph-adke")],
+            figure,
+            vec![("section_3_convergence_points.csv".into(), data)],
+        ),
+        text().wide_table("section_3_convergence_table", &[], &columns, rows),
     ]
-}
-
-fn csv(points: &[Point]) -> Vec<u8> {
-    let mut text = String::from("test,method,particles,l1_density,failure\n");
-    for point in points {
-        let Point { test, name, particles, error } = point;
-        text.push_str(&format!("{test},{name},{particles},{}\n", error_or_failure(error)));
-    }
-    text.into_bytes()
 }

@@ -3,11 +3,12 @@
 use super::cost::curve;
 use super::runs::{LAGRANGIAN, PARTICLES, method, tube};
 use super::table_2::sound_growth;
-use super::{COMMAND, Detail, error_or_failure, panel_title, table_item};
+use super::{Detail, error_or_failure, panel_title, text};
+use crate::cells;
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::Item;
-use crate::table::{Align, Table};
+use crate::paper_text::{csv, or_dash};
 use courant_simulation::comparison::Comparison;
 use courant_simulation::lagrangian::StepRule;
 use courant_simulation::method::Method;
@@ -85,10 +86,7 @@ impl Series {
 
 /// Figure and table.
 pub fn items(detail: Detail) -> Vec<Item> {
-    let step = match detail {
-        Detail::Full => 0.1,
-        Detail::Quick => 0.3,
-    };
+    let step = if detail == Detail::Quick { 0.3 } else { 0.1 };
     let grid: Vec<f64> = (1..=(3.0 / step) as usize).map(|i| i as f64 * step).collect();
     let cases: Vec<(usize, &'static str, StepRule)> = (1..=4)
         .flat_map(|test| LAGRANGIAN.map(|name| (test, name)))
@@ -100,12 +98,12 @@ pub fn items(detail: Detail) -> Vec<Item> {
         .into_par_iter()
         .map(|(test, name, rule)| Series::new(test, name, rule, &grid))
         .collect();
-    vec![figure(&series), table_item("section_3_courant_limits", table(&series))]
+    vec![figure(&series), text().table("section_3_courant_limits", &[], series.iter().map(row))]
 }
 
 fn figure(series: &[Series]) -> Item {
     let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
-    let mut text = String::from("test,method,step,cfl,l1_density,failure\n");
+    let mut lines = Vec::new();
     for test in 1..=4 {
         let mut panel = Panel::new(
             Axis::linear("Courant number CΔt/Δξ").range(0.0, 3.05),
@@ -121,8 +119,8 @@ fn figure(series: &[Series]) -> Item {
         );
         for one in series.iter().filter(|one| one.test == test) {
             for (cfl, result) in &one.points {
-                let (name, step, outcome) = (one.name, one.step, error_or_failure(result));
-                text.push_str(&format!("{test},{name},{step:?},{cfl},{outcome}\n"));
+                let step = format!("{:?}", one.step);
+                lines.push(cells![test, one.name, step, cfl, error_or_failure(result)]);
             }
         }
         let current = |one: &&Series| one.test == test && one.step == StepRule::Current;
@@ -143,61 +141,31 @@ fn figure(series: &[Series]) -> Item {
         }
         figure = figure.panel(panel);
     }
-    Item::Figure {
-        name: "section_3_courant".into(),
-        figure: Box::new(figure),
-        caption: "Error of the density against the Courant number, step from the current state, N = 100, cubic \
-                  B-spline, l/Δξ = 2. The vertical lines are the limits of linear theory, the crosses the first \
-                  failure. Longer steps are less diffusive, so errors fall with the Courant number where C falls \
-                  as the waves form (tests 1 and 2: the gas that moves has a smaller Courant number than \
-                  the step was made for). Where C rises (tests 3 and 4) runs fail: the first step can only follow \
-                  the initial data, whose star states raise C by the factors of the table of star states, so \
-                  that test 4 fails below 15/8 even with steps from the current state."
-            .into(),
-        data: vec![("section_3_courant.csv".into(), text.into_bytes())],
-        command: COMMAND.into(),
-    }
+    let data = csv("test,method,step,cfl,l1_density,failure", lines);
+    let data = vec![("section_3_courant.csv".into(), data)];
+    text().figure("section_3_courant", &[], figure, data)
 }
 
-fn table(series: &[Series]) -> Table {
-    let mut table = Table::new(
-        "Where runs fail, N = 100. Linear theory: 15/8 for a step from the current state, 15/8 over the growth of \
-         C (Table 2) for a step from the initial data. Accurate: the largest Courant number of the sweep up to \
-         which the error of the density stays within 1.2 times that at 0.1 with the current step",
-        &[
-            ("test", Align::Left),
-            ("method", Align::Left),
-            ("step from", Align::Left),
-            ("linear limit", Align::Right),
-            ("accurate up to", Align::Right),
-            ("fails from", Align::Right),
-            ("least L1 ρ", Align::Right),
-            ("at", Align::Right),
-            ("first failure", Align::Left),
-        ],
-    );
-    for one in series {
-        let (rule, limit) = match one.step {
-            StepRule::Current => ("current state", STABLE),
-            StepRule::Initial => ("initial data", STABLE / sound_growth(one.test).max(1.0)),
-        };
-        let end = one.points.last().map_or(0.0, |point| point.0);
-        let (from, reason) = match &one.threshold {
-            Some((low, high, failure)) => (format!("{low:.3}–{high:.3}"), failure.to_string()),
-            None => (format!("above {end:.1}"), String::new()),
-        };
-        let best = one.best();
-        table.push([
-            one.test.to_string(),
-            one.name.into(),
-            rule.into(),
-            significant(limit, 3),
-            one.accurate().map_or_else(|| "–".into(), |cfl| significant(cfl, 2)),
-            from,
-            best.map_or_else(|| "–".into(), |best| significant(best.1, 3)),
-            best.map_or_else(|| "–".into(), |best| significant(best.0, 2)),
-            reason,
-        ]);
-    }
-    table
+fn row(one: &Series) -> Vec<String> {
+    let (rule, limit) = match one.step {
+        StepRule::Current => ("current state", STABLE),
+        StepRule::Initial => ("initial data", STABLE / sound_growth(one.test).max(1.0)),
+    };
+    let end = one.points.last().map_or(0.0, |point| point.0);
+    let (from, reason) = match &one.threshold {
+        Some((low, high, failure)) => (format!("{low:.3}–{high:.3}"), failure.to_string()),
+        None => (format!("above {end:.1}"), String::new()),
+    };
+    let best = one.best();
+    cells![
+        one.test,
+        one.name,
+        rule,
+        significant(limit, 3),
+        or_dash(one.accurate(), 2),
+        from,
+        or_dash(best.map(|best| best.1), 3),
+        or_dash(best.map(|best| best.0), 2),
+        reason,
+    ]
 }

@@ -1,9 +1,11 @@
 //! Figures 3 to 21, one for each method and test.
 
 use super::runs::{PARTICLES, Runs, TestRun};
+use super::text;
 use crate::gas_run;
 use crate::number::significant;
 use crate::page::{Item, Section};
+use crate::words;
 use courant_simulation::method::Method;
 use courant_simulation::run::Run;
 use courant_simulation::scene::Scene;
@@ -21,13 +23,16 @@ pub fn sections(runs: &Runs) -> Vec<Section> {
                         items.push(figure(run, number));
                         number += 1;
                     }
-                    Some(failure) => items.push(Item::Paragraph(format!(
-                        "{} fails on test {test} with N = {} ({}): {failure}. The paper reports the \
-                         failure and shows no figure either.",
-                        gas_run::method_title(name),
-                        run.run.profile.len(),
-                        gas_run::settings(&run.method),
-                    ))),
+                    Some(failure) => items.push(text().paragraph(
+                        "run_failed",
+                        words![
+                            "method" = gas_run::method_title(name),
+                            "test" = test,
+                            "particles" = run.run.profile.len(),
+                            "settings" = gas_run::settings(&run.method),
+                            "failure" = failure,
+                        ],
+                    )),
                 }
             }
             Section { title: format!("Test {test}"), items }
@@ -40,28 +45,30 @@ fn figure(run: &TestRun, number: usize) -> Item {
     let title = format!("Figure {number}. Test {test}: {}", gas_run::method_title(method.name()));
     let kind = if run.particle_mass.is_some() { "particles" } else { "cells" };
     let name = format!("figure_{number:02}");
-    Item::Figure {
-        figure: Box::new(gas_run::figure(tube, run, &title)),
-        caption: format!(
-            "{title}, t = {}. N = {PARTICLES} {kind}, γ = 1.4; {}; {} steps.{} {} {kind} are inside the \
-             domain at the end; Σ|e|/N of the density over these: {}. Symbols: run; line: exact.",
-            tube.end_time(),
-            gas_run::settings(method),
-            run.steps,
-            followed(run),
-            comparison.inside,
-            significant(comparison.l1.density, 3),
-        ),
-        data: vec![(format!("{name}.csv"), gas_run::profile_csv(tube, run))],
-        command: format!("courant run ferrari{test} --method {}", method.name()),
-        name,
-    }
+    let caption = text().text(
+        "figure_caption",
+        words![
+            "title" = title,
+            "time" = tube.end_time(),
+            "particles" = PARTICLES,
+            "kind" = kind,
+            "settings" = gas_run::settings(method),
+            "steps" = run.steps,
+            "followed" = followed(run),
+            "inside" = comparison.inside,
+            "error" = significant(comparison.l1.density, 3),
+        ],
+    );
+    let data = vec![(format!("{name}.csv"), gas_run::profile_csv(tube, run))];
+    let figure = gas_run::figure(tube, run, &title);
+    let command = format!("courant run ferrari{test} --method {}", method.name());
+    text().figure(&name, words!["caption" = caption], figure, data).made_by(command)
 }
 
 /// Where gas flows in, particles wait outside and follow: there are more in the end than in the domain at the start.
 fn followed(run: &Run) -> String {
     match run.waiting.iter().sum::<usize>() {
         0 => String::new(),
-        waiting => format!(" {waiting} more started outside, to follow where gas flows in."),
+        waiting => text().text("figure_followed", words!["waiting" = waiting]),
     }
 }

@@ -1,10 +1,10 @@
 //! Linear theory of the Lagrangian scheme, and the running scheme held against it.
 
 use super::table_2::sound_growth;
-use super::{runs, table_item};
+use super::{runs, text};
 use crate::number::significant;
 use crate::page::Item;
-use crate::table::{Align, Table};
+use crate::{cells, words};
 use courant_analysis::exact::rational::{Rational, from_f64, integer};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::{COURANT, KernelLattice, Step, catalogue};
@@ -105,36 +105,11 @@ fn describe(limit: &Limit) -> String {
 
 /// Text and table.
 pub fn items() -> Vec<Item> {
-    let mut columns = vec![("flux", Align::Left), ("wave", Align::Left)];
-    columns.extend(
-        [
-            "viscosity / C",
-            "stable up to",
-            "monotone up to",
-            "|step − symbol|",
-            "φ",
-            "C tried",
-            "|g| predicted",
-            "|g| measured",
-        ]
-        .map(|name| (name, Align::Right)),
-    );
-    let mut table = Table::new(
-        "The Lagrangian scheme about a uniform state, cubic B-spline, l/Δξ = 2: limits on CΔt/Δξ, proved, and \
-         the running code held against them (γ = 1.4, ρ = 1, v = 0.75, p = 1). |step − symbol|: largest \
-         difference over all modes of one step, by finite differences of 1e-7 at C = 0.9; growth per step \
-         of a wave of amplitude 1e-7 over up to 100 steps, 1 % below and 1 % above the limit (at 0.9 where there is none or \
-         sound breaks the run long before)",
-        &columns,
-    );
-    for (name, flux, viscosity) in fluxes() {
-        for wave in [Wave::Acoustic, Wave::Contact(viscosity)] {
-            for row in rows(&name, flux, wave) {
-                table.push(row);
-            }
-        }
-    }
-    vec![Item::Paragraph(explanation()), table_item("section_3_linear", table)]
+    let cases = fluxes().into_iter().flat_map(|(name, flux, viscosity)| {
+        [Wave::Acoustic, Wave::Contact(viscosity)].map(|wave| (name.clone(), flux, wave))
+    });
+    let rows = cases.flat_map(|(name, flux, wave)| rows(&name, flux, wave));
+    vec![explanation(), text().table("section_3_linear", &[], rows)]
 }
 
 fn rows(name: &str, flux: Flux, wave: Wave) -> Vec<Vec<String>> {
@@ -185,9 +160,9 @@ fn rows(name: &str, flux: Flux, wave: Wave) -> Vec<Vec<String>> {
             Ok(growth) => format!("{growth:.7}"),
             Err(reason) => reason.to_string(),
         };
-        vec![
-            name.into(),
-            wave.name().into(),
+        cells![
+            name,
+            wave.name(),
             significant(own, 3),
             describe(&stable),
             describe(&monotone),
@@ -201,20 +176,14 @@ fn rows(name: &str, flux: Flux, wave: Wave) -> Vec<Vec<String>> {
     tried.into_iter().map(check).collect()
 }
 
-fn explanation() -> String {
+fn explanation() -> Item {
     let growth = sound_growth(4);
-    format!(
-        "About a uniform state the Lagrangian scheme falls apart into three scalar ones. The acoustic waves \
-         are advected by Godunov SPH with Courant number CΔt/Δξ whatever the flux, so with the cubic spline \
-         and l/Δξ = 2 they are stable up to 15/8 and monotone up to 8/5 (Table 1). The contact is diffused: \
-         g = 1 − (λ₂Δt/Δξ) Σ w_k (2 − 2 cos kφ), with λ₂ = 0 (exact flux), C (Rusanov) or α̃ max|v| (Roe): \
-         it binds only where λ₂ exceeds C. This is why test 4 fails at a step taken from its initial \
-         data: the star states raise C by {}, so that the usual 0.9 becomes {}, above 15/8 = 1.875. Such \
-         a step is stable only below 15/8 / {} = {}; where the runs really fail is in the table of \
-         failures below.",
-        significant(growth, 3),
-        significant(0.9 * growth, 3),
-        significant(growth, 3),
-        significant(SOUND_LIMIT / growth, 3),
+    text().paragraph(
+        "section_3_linear_text",
+        words![
+            "growth" = significant(growth, 3),
+            "usual" = significant(0.9 * growth, 3),
+            "stable" = significant(SOUND_LIMIT / growth, 3),
+        ],
     )
 }

@@ -1,9 +1,9 @@
 //! What section 3.3 says of its figures: the measures by the names that the claims use.
 
 use super::runs::{Runs, TestRun};
-use super::table_item;
+use super::text;
 use super::windows::{self, Places, Variable};
-use crate::claim::{Claim, Claims, table};
+use crate::claim::{Claim, Claims, rows};
 use crate::page::Item;
 use courant_simulation::comparison::Comparison;
 use courant_simulation::riemann::{Solution, Wave};
@@ -20,10 +20,7 @@ pub fn claims(runs: &Runs) -> Item {
             measure(run(runs, claim, member)?.as_ref(), name, arguments)
         })
         .expect("the claims are judged by a test");
-    let caption = "Statements of section 3.3 against numbers: N = 100, settings as in the figures. Errors of one wave are \
-         ∫|e| dx over its window alone: a contact half way to the waves beside it, a shock from the contact to the end \
-         of the domain";
-    table_item("section_3_statements", table(caption, &found))
+    text().table("section_3_statements", &[], rows(&found))
 }
 
 /// The run of a claim's test by a member: a method, with options where it is not run as in the figures.

@@ -1,47 +1,28 @@
 //! Table 2, and what follows from it.
 
 use super::runs::tube;
-use super::table_item;
+use super::text;
+use crate::cells;
 use crate::number::significant;
 use crate::page::{Item, Section};
-use crate::table::{Align, Table};
 use courant_simulation::riemann::Wave;
 use courant_simulation::scene::Scene;
 
 /// The section.
 pub fn section() -> Section {
-    Section {
-        title: "Table 2: the four shock tubes".into(),
-        items: vec![
-            table_item("table_2", initial()),
-            table_item("table_2_star_states", star_states()),
-            Item::Paragraph(
-                "The last column is the growth of the largest Lagrangian sound speed C = √(γρp) when the \
-                 star states appear. A time step fixed by the initial data has a Courant number that much \
-                 larger than intended from the first steps on."
-                    .into(),
-            ),
-        ],
-    }
+    let items = vec![initial(), star_states(), text().paragraph("table_2_text", &[])];
+    text().section("title_table_2", items)
 }
 
-fn initial() -> Table {
-    let mut columns = vec![("test", Align::Left)];
-    columns
-        .extend(["ρL", "vL", "pL", "ρR", "vR", "pR", "x₀", "T"].map(|name| (name, Align::Right)));
-    let mut table = Table::new(
-        "Table 2. Initial conditions of the four tests; γ = 1.4, domain [0, 1], N = 100",
-        &columns,
-    );
-    for test in 1..=4 {
+fn initial() -> Item {
+    let rows = (1..=4).map(|test| {
         let tube = tube(test);
         let data = tube.data();
         let numbers = data.left.iter().chain(&data.right);
-        let mut row = vec![test.to_string()];
-        row.extend(numbers.chain([&data.diaphragm, &data.end_time]).map(f64::to_string));
-        table.push(row);
-    }
-    table
+        let numbers = numbers.chain([&data.diaphragm, &data.end_time]).map(f64::to_string);
+        cells![test].into_iter().chain(numbers).collect::<Vec<_>>()
+    });
+    text().table("table_2", &[], rows)
 }
 
 fn wave_name(wave: Wave) -> &'static str {
@@ -65,36 +46,19 @@ pub fn sound_growth(test: usize) -> f64 {
     star / first
 }
 
-fn star_states() -> Table {
-    let mut table = Table::new(
-        "Exact solutions: pressure and velocity of the star region, densities on both sides of the contact",
-        &[
-            ("test", Align::Left),
-            ("left wave", Align::Left),
-            ("right wave", Align::Left),
-            ("p*", Align::Right),
-            ("v*", Align::Right),
-            ("ρ* left", Align::Right),
-            ("ρ* right", Align::Right),
-            ("C growth", Align::Right),
-        ],
-    );
-    for test in 1..=4 {
+fn star_states() -> Item {
+    let rows = (1..=4).map(|test| {
         let tube = tube(test);
         let (solution, _) = tube.riemann().expect("a tube is a Riemann problem");
         let (left, right) = solution.densities();
         // Test 2 is symmetric: v* is round-off there.
         let velocity = if solution.velocity().abs() < 1e-12 { 0.0 } else { solution.velocity() };
-        table.push([
-            test.to_string(),
-            wave_name(solution.left_wave()).into(),
-            wave_name(solution.right_wave()).into(),
-            significant(solution.pressure(), 7),
-            significant(velocity, 7),
-            significant(left, 7),
-            significant(right, 7),
-            significant(sound_growth(test), 4),
-        ]);
-    }
-    table
+        let mut row =
+            cells![test, wave_name(solution.left_wave()), wave_name(solution.right_wave())];
+        let numbers = [solution.pressure(), velocity, left, right];
+        row.extend(numbers.map(|number| significant(number, 7)));
+        row.push(significant(sound_growth(test), 4));
+        row
+    });
+    text().table("table_2_star_states", &[], rows)
 }

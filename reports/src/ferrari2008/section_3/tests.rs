@@ -2,7 +2,7 @@
 
 use super::convergence::order;
 use super::runs::Runs;
-use super::{CATALOGUE, errors, figures, measures, table_2};
+use super::{errors, figures, measures, table_2, text};
 use crate::page::Item;
 
 #[test]
@@ -35,7 +35,7 @@ fn figures_have_the_numbers_of_the_paper() {
     let wanted: Vec<String> = (3..=21).map(|number| format!("figure_{number:02}")).collect();
     assert_eq!(names, wanted);
     for name in names {
-        assert!(CATALOGUE.iter().any(|item| item.name == name));
+        assert!(text().catalogue().any(|item| item.name == name));
     }
     // Test 3 has four figures, of which the first is the finite-volume one, and a statement.
     let Item::Figure { caption, .. } = &sections[2].items[0] else {

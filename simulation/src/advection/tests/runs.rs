@@ -178,20 +178,6 @@ fn plans_out_of_range_are_refused() {
     assert_eq!(with(|p| p.particles = 0), PlanError::Ring(RingError::Empty));
 }
 
-#[test]
-fn a_cost_row_carries_the_run() {
-    let plan = plan(AdvectionScheme::GodunovSph, Scene::Gaussian, 50, Layout::Lattice);
-    let row = measure_cost(&plan, 3).unwrap();
-    let result = run(&plan).unwrap();
-    assert_eq!((row.steps, row.interactions), (result.steps, result.interactions));
-    assert_eq!((row.comparison, row.outcome), (result.comparison, Outcome::Completed));
-    let Seconds { median, lowest, highest, samples } = row.seconds;
-    assert!(0.0 < lowest && lowest <= median && median <= highest && samples == 3);
-    assert_eq!(Seconds::of(vec![3.0, 1.0, 2.0, 10.0]).median, 2.5);
-    assert_eq!(CostMeasure::Interactions.of(&row), result.interactions as f64);
-    assert_eq!(CostMeasure::Seconds.of(&row), median);
-}
-
 proptest! {
     #[test]
     fn the_front_is_what_nothing_beats(points in prop::collection::vec((0u8..20, 0u8..20), 1..40)) {

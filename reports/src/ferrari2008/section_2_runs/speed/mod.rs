@@ -2,19 +2,17 @@
 
 mod recommendation;
 
-use super::{discretisation, kernels};
-use crate::ferrari2008::{COMMAND, Detail, ReportError};
+use super::{Detail, discretisation, kernels, text};
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::page::{Item, Section};
+use crate::paper_text::csv;
+use crate::{cells, words};
 use courant_analysis::exact::rational::{integer, ratio};
 use courant_simulation::advection::{
-    AdvectionScheme, CostMeasure, CostRow, Layout, Method, RunPlan, Scene, measure_cost,
-    pareto_front,
+    AdvectionRun, AdvectionScheme, Layout, Method, RunPlan, Scene, pareto_front, run,
 };
-use std::fmt::Write;
-
-/// Samples of each time.
-const SAMPLES: usize = 3;
+use rayon::prelude::*;
+use std::time::Instant;
 
 /// A choice: scheme, kernel, ratio, and the Courant number, as a share of the limit where there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,10 +49,13 @@ impl Neighbours {
     }
 }
 
-/// One measured run of a choice.
+/// One run of a choice.
 struct Point {
     choice: usize,
-    cost: CostRow,
+    particles: usize,
+    run: AdvectionRun,
+    /// What it took on this machine.
+    seconds: f64,
 }
 
 /// All runs on one set of data.
@@ -104,173 +105,118 @@ fn choices(detail: Detail) -> Vec<Choice> {
 
 fn sizes(detail: Detail) -> (&'static [usize], &'static [usize]) {
     match detail {
+        Detail::Quick => (&[50, 100, 200], &[400]),
+        Detail::Standard => (&[50, 100, 200, 400, 800], &[1600]),
         Detail::Full => (&[50, 100, 200, 400, 800], &[1600, 3200, 6400]),
-        Detail::Quick => (&[50, 100, 200, 400], &[800]),
     }
 }
 
-fn plan(scene: &Scene, method: Method, particles: usize) -> RunPlan {
-    RunPlan { scene: scene.clone(), method, particles, periods: 1.0, layout: Layout::Lattice }
+fn point(scene: &Scene, choices: &[Choice], (choice, particles): (usize, usize)) -> Point {
+    let (scene, method) = (scene.clone(), choices[choice].method);
+    let plan = RunPlan { scene, method, particles, periods: 1.0, layout: Layout::Lattice };
+    let start = Instant::now();
+    let run = run(&plan).expect("the numbers of the plan are in range");
+    Point { choice, particles, run, seconds: start.elapsed().as_secs_f64() }
 }
 
 /// Runs every choice on the small sizes, and on the large ones those that were worth it: the choices
-/// with a point on either front. Times are taken one after the other.
+/// with a point on either front.
 fn measure(scene: Scene, choices: &[Choice], detail: Detail) -> Test {
     let (small, large) = sizes(detail);
-    let mut points = Vec::new();
-    let mut add = |choice: usize, particles: usize| {
-        let plan = plan(&scene, choices[choice].method, particles);
-        let cost = measure_cost(&plan, SAMPLES).expect("the numbers of the plan are in range");
-        points.push(Point { choice, cost });
+    let every = |sizes: &[usize], of: &[usize]| -> Vec<Point> {
+        let plans: Vec<(usize, usize)> =
+            sizes.iter().flat_map(|&size| of.iter().map(move |&choice| (choice, size))).collect();
+        plans.into_par_iter().map(|plan| point(&scene, choices, plan)).collect()
     };
-    for &particles in small {
-        (0..choices.len()).for_each(|choice| add(choice, particles));
-    }
-    let mut test = Test { scene, points };
-    // By interactions alone, so that which runs are done does not depend on the machine.
-    let mut worthy: Vec<usize> = Neighbours::ALL
-        .into_iter()
-        .flat_map(|neighbours| test.front_among(CostMeasure::Interactions, neighbours, choices))
-        .map(|index| test.points[index].choice)
-        .collect();
+    let points = every(small, &(0..choices.len()).collect::<Vec<_>>());
+    let mut test = Test { scene: scene.clone(), points };
+    let fronts = Neighbours::ALL.into_iter().flat_map(|among| test.front(among, choices));
+    let mut worthy: Vec<usize> = fronts.map(|index| test.points[index].choice).collect();
     worthy.sort_unstable();
     worthy.dedup();
-    for &particles in large {
-        for &choice in &worthy {
-            let plan = plan(&test.scene, choices[choice].method, particles);
-            let cost = measure_cost(&plan, SAMPLES).expect("the numbers of the plan are in range");
-            test.points.push(Point { choice, cost });
-        }
-    }
+    test.points.extend(every(large, &worthy));
     test
 }
 
 impl Test {
-    /// `(cost, error)` of every run; the error is the L1 norm.
-    fn costs(&self, measure: CostMeasure) -> Vec<(f64, f64)> {
-        self.points
-            .iter()
-            .map(|point| (measure.of(&point.cost), point.cost.comparison.l1))
-            .collect()
-    }
-
-    fn front(&self, measure: CostMeasure) -> Vec<usize> {
-        pareto_front(&self.costs(measure))
-    }
-
-    /// `(cost, error)` of every run, not a number where the choice has too few neighbours.
-    fn costs_among(
-        &self,
-        measure: CostMeasure,
-        neighbours: Neighbours,
-        choices: &[Choice],
-    ) -> Vec<(f64, f64)> {
-        let mut costs = self.costs(measure);
-        for (cost, point) in costs.iter_mut().zip(&self.points) {
-            if choices[point.choice].method.ratio < neighbours.smallest_ratio() {
-                *cost = (f64::NAN, f64::NAN);
+    /// `(interactions, error)` of every run, the error in the L1 norm; not a number where the choice has too few
+    /// neighbours.
+    fn costs(&self, among: Neighbours, choices: &[Choice]) -> Vec<(f64, f64)> {
+        let cost = |point: &Point| {
+            if choices[point.choice].method.ratio < among.smallest_ratio() {
+                return (f64::NAN, f64::NAN);
             }
-        }
-        costs
+            (point.run.interactions as f64, point.run.comparison.l1)
+        };
+        self.points.iter().map(cost).collect()
     }
 
-    fn front_among(
-        &self,
-        measure: CostMeasure,
-        neighbours: Neighbours,
-        choices: &[Choice],
-    ) -> Vec<usize> {
-        pareto_front(&self.costs_among(measure, neighbours, choices))
+    /// The runs that no other beats in both, by interactions: which they are does not depend on the machine.
+    fn front(&self, among: Neighbours, choices: &[Choice]) -> Vec<usize> {
+        pareto_front(&self.costs(among, choices))
     }
 
     fn name(&self) -> &'static str {
         if self.scene == Scene::Step { "step" } else { "smooth hump" }
     }
+
+    /// Runs with larger errors than the data themselves, or with an error that is no number.
+    fn outside(&self) -> usize {
+        let inside = |point: &&Point| point.run.comparison.l1 <= 1.0;
+        self.points.len() - self.points.iter().filter(inside).count()
+    }
 }
 
-pub(super) fn section(detail: Detail) -> Result<Section, ReportError> {
+pub(super) fn section(detail: Detail) -> Section {
     let choices = choices(detail);
     let tests = [Scene::Gaussian, Scene::Step].map(|scene| measure(scene, &choices, detail));
     let (small, large) = sizes(detail);
-    let setting = format!(
-        "{} choices of scheme, kernel, l/Δξ in {{1, 2, 3}} and C (half and 0.95 of the largest C at which no wave \
-         grows by more than 1e-6 per step; 0.1 and 0.4 for Euler-SPH, which has no such C); N = {} to {}, and up to {} for choices on the front. One period, \
-         stencil path. Time is the median of {SAMPLES} samples after a warm-up, one thread; the \
-         spread of the samples is in the data file; interactions count terms with another particle's value",
-        choices.len(),
-        small[0],
-        small[small.len() - 1],
-        large[large.len() - 1],
-    );
-    let mut items = vec![Item::Paragraph(introduction(&tests))];
+    let mut items = vec![introduction(&tests, &choices)];
     for (test, name) in tests.iter().zip(["figure_speed_smooth", "figure_speed_jump"]) {
-        items.push(Item::Figure {
-            name: name.into(),
-            figure: Box::new(figure(test, &choices)),
-            caption: format!(
-                "L1 error against cost, {} ({}): wall-clock time on this machine (left) and interactions \
-                 (right). The Pareto front joins the runs that no other beats in both. {setting}. Errors that \
-                 do not fall with N belong to kernels and ratios whose lattice sums are not consistent: waves \
-                 travel at a wrong speed, or the mean drifts. {} of {} runs, with errors above 1, lie outside.",
-                test.name(),
-                test.scene.source(),
-                // An error that is no number is outside too.
-                test.points.len()
-                    - test.points.iter().filter(|point| point.cost.comparison.l1 <= 1.0).count(),
-                test.points.len(),
-            ),
-            data: vec![(format!("{name}.csv"), data(test, &choices))],
-            command: COMMAND.into(),
-        });
+        let caption = text().text(
+            "speed_caption",
+            words![
+                "test" = test.name(),
+                "equation" = test.scene.source(),
+                "choices" = choices.len(),
+                "least" = small[0],
+                "small" = small[small.len() - 1],
+                "large" = large[large.len() - 1],
+                "outside" = test.outside(),
+                "runs" = test.points.len(),
+            ],
+        );
+        let data = vec![(format!("{name}.csv"), data(test, &choices))];
+        items.push(text().figure(name, words!["caption" = caption], figure(test, &choices), data));
     }
-    items.push(Item::Table {
-        name: "speed_recommendation".into(),
-        table: recommendation::table(&tests, &choices),
-        command: COMMAND.into(),
-    });
-    Ok(Section { title: "Speed against error".into(), items })
+    items.push(recommendation::table(&tests, &choices));
+    text().section("title_speed", items)
 }
 
-fn introduction(tests: &[Test]) -> String {
-    let share = |test: &Test| {
-        let front = test.front(CostMeasure::Interactions);
-        let lax_wendroff = front
-            .iter()
-            .filter(|&&index| {
-                test.points[index].cost.plan.method.scheme == AdvectionScheme::LaxWendroffSph
-            })
-            .count();
-        format!(
-            "{}: {lax_wendroff} of the {} runs on the front are Lax–Wendroff SPH",
-            test.name(),
-            front.len()
-        )
-    };
-    let shares: Vec<String> = tests.iter().map(share).collect();
-    format!(
-        "Which choice reaches an error with the least work? A smaller smoothing ratio means fewer neighbours, \
-         a larger one a larger step; a higher order pays on smooth data and less on jumps. By interactions, {}. \
-         At l/Δξ = 1 the cubic spline reaches the nearest neighbours only: Godunov SPH is then the upwind scheme \
-         and Lax–Wendroff SPH the classical one, and with C near 1 both come close to the exact shift. That \
-         serves a lattice; particles that move apart need more neighbours, so the table also recommends among \
-         the ratios 2 and 3.",
-        shares.join("; ")
-    )
+fn introduction(tests: &[Test], choices: &[Choice]) -> Item {
+    let fronts = tests.iter().map(|test| {
+        let front = test.front(Neighbours::Any, choices);
+        let lax_wendroff = front.iter().filter(|&&index| {
+            choices[test.points[index].choice].method.scheme == AdvectionScheme::LaxWendroffSph
+        });
+        let (name, count) = (test.name(), lax_wendroff.count());
+        format!("{name}: {count} of the {} runs on the front are Lax–Wendroff SPH", front.len())
+    });
+    text().paragraph("speed_text", words!["fronts" = fronts.collect::<Vec<_>>().join("; ")])
 }
 
 fn figure(test: &Test, choices: &[Choice]) -> Figure {
-    let measures = [
-        (CostMeasure::Seconds, "time [s]", "(a) by time"),
-        (CostMeasure::Interactions, "interactions", "(b) by interactions"),
-    ];
+    let panels =
+        [(Neighbours::Any, "(a) all runs"), (Neighbours::Several, "(b) several neighbours")];
     let mut figure = Figure::grid(1, 2).size(7.4, 4.2).legend_below();
     // Runs with larger errors than the data themselves have no place in the picture.
-    let errors = test.points.iter().map(|point| point.cost.comparison.l1);
+    let errors = test.points.iter().map(|point| point.run.comparison.l1);
     let lowest = 0.5 * errors.fold(1.0, f64::min);
-    for (measure, axis, title) in measures {
-        let costs = test.costs(measure);
-        let mut panel = Panel::new(Axis::log(axis), Axis::log("L1 error").range(lowest, 1.0))
-            .title(format!("{title}, {}", test.name()));
+    for (among, title) in panels {
+        let costs = test.costs(among, choices);
+        let mut panel =
+            Panel::new(Axis::log("interactions"), Axis::log("L1 error").range(lowest, 1.0))
+                .title(format!("{title}, {}", test.name()));
         for (scheme, color) in SCHEMES {
             for (part, ratio) in [1.0, 2.0, 3.0].into_iter().enumerate() {
                 let chosen = test.points.iter().zip(&costs).filter(|(point, _)| {
@@ -290,7 +236,7 @@ fn figure(test: &Test, choices: &[Choice]) -> Figure {
                 );
             }
         }
-        let front = test.front(measure);
+        let front = test.front(among, choices);
         panel = panel.layer(
             Line::new(front.iter().map(|&index| costs[index])).width(1.2).label("Pareto front"),
         );
@@ -305,38 +251,20 @@ fn figure(test: &Test, choices: &[Choice]) -> Figure {
 }
 
 fn data(test: &Test, choices: &[Choice]) -> Vec<u8> {
-    let mut text = String::from(
-        "scheme,kernel,ratio,share_of_limit,cfl,particles,steps,l1,l2,l_infinity,interactions,\
-         seconds,seconds_lowest,seconds_highest,front_by_seconds,front_by_interactions\n",
-    );
-    let fronts =
-        [CostMeasure::Seconds, CostMeasure::Interactions].map(|measure| test.front(measure));
-    for (index, point) in test.points.iter().enumerate() {
-        let (choice, cost) = (&choices[point.choice], &point.cost);
-        let seen = &cost.comparison;
-        writeln!(
-            text,
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-            choice.method.scheme,
-            choice.method.kernel.name(),
-            choice.method.ratio,
-            choice.share.map_or_else(String::new, |share| share.to_string()),
-            cost.courant_number,
-            cost.plan.particles,
-            cost.steps,
-            seen.l1,
-            seen.l2,
-            seen.l_infinity,
-            cost.interactions,
-            cost.seconds.median,
-            cost.seconds.lowest,
-            cost.seconds.highest,
-            fronts[0].contains(&index),
-            fronts[1].contains(&index)
-        )
-        .expect("writing to a string succeeds");
-    }
-    text.into_bytes()
+    let front = test.front(Neighbours::Any, choices);
+    let rows = test.points.iter().enumerate().map(|(index, point)| {
+        let (Choice { method, share }, run) = (&choices[point.choice], &point.run);
+        let share = share.map_or_else(String::new, |share| share.to_string());
+        let mut cells =
+            cells![method.scheme, method.kernel.name(), method.ratio, share, run.courant_number];
+        let seen = &run.comparison;
+        cells.extend(cells![point.particles, run.steps, seen.l1, seen.l2, seen.l_infinity]);
+        cells.extend(cells![run.interactions, front.contains(&index), point.seconds]);
+        cells
+    });
+    let header = "scheme,kernel,ratio,share_of_limit,cfl,particles,steps,l1,l2,l_infinity,\
+                  interactions,front,seconds";
+    csv(header, rows)
 }
 
 #[cfg(test)]
@@ -350,18 +278,17 @@ mod tests {
             choices(Detail::Quick).into_iter().filter(|choice| choice.method.ratio < 2.5).collect();
         let test = measure(Scene::Gaussian, &choices, Detail::Quick);
         let (small, large) = sizes(Detail::Quick);
-        let at = |particles: usize| {
-            test.points.iter().filter(move |p| p.cost.plan.particles == particles).count()
-        };
+        let at =
+            |particles: usize| test.points.iter().filter(move |p| p.particles == particles).count();
         assert!(small.iter().all(|&particles| at(particles) == choices.len()));
         assert!(at(large[0]) > 0 && at(large[0]) < choices.len());
         // The end of the front is the smallest error of all, whatever it costs.
-        let costs = test.costs(CostMeasure::Interactions);
-        let front = test.front(CostMeasure::Interactions);
+        let costs = test.costs(Neighbours::Any, &choices);
+        let front = test.front(Neighbours::Any, &choices);
         let smallest = costs.iter().map(|cost| cost.1).fold(f64::INFINITY, f64::min);
         assert_eq!(costs[*front.last().unwrap()].1, smallest);
         // With several neighbours nothing of ratio 1 is left.
-        let several = test.front_among(CostMeasure::Interactions, Neighbours::Several, &choices);
+        let several = test.front(Neighbours::Several, &choices);
         assert!(!several.is_empty());
         assert!(several.iter().all(|&i| choices[test.points[i].choice].method.ratio == 2.0));
     }

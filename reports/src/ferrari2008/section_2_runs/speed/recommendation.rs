@@ -1,9 +1,10 @@
 //! The cheapest choice for an error.
 
-use super::{Choice, Neighbours, Test};
+use super::{Choice, Neighbours, Test, text};
+use crate::cells;
 use crate::number::significant;
-use crate::table::{Align, Table};
-use courant_simulation::advection::{CostMeasure, Method, Seconds, recommend};
+use crate::page::Item;
+use courant_simulation::advection::{Method, recommend};
 
 /// Errors to recommend for.
 const TARGETS: [f64; 5] = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3];
@@ -18,58 +19,26 @@ fn describe(choice: &Choice) -> String {
     )
 }
 
-/// For each test, set of ratios and error the cheapest choice.
-pub(super) fn table(tests: &[Test], choices: &[Choice]) -> Table {
-    let mut table = Table::new(
-        "The cheapest choice for an error after one period, by interactions and by time on this machine",
-        &[
-            ("test", Align::Left),
-            ("l/Δξ", Align::Left),
-            ("L1 error wanted", Align::Right),
-            ("cheapest by interactions", Align::Left),
-            ("N", Align::Right),
-            ("interactions", Align::Right),
-            ("error", Align::Right),
-            ("cheapest by time", Align::Left),
-            ("N", Align::Right),
-            ("ms: median (range)", Align::Right),
-        ],
-    );
+/// For each test, set of ratios and error the choice with the least work.
+pub(super) fn table(tests: &[Test], choices: &[Choice]) -> Item {
+    let mut rows = Vec::new();
     for test in tests {
-        for neighbours in Neighbours::ALL {
-            let recommended = |measure: CostMeasure| {
-                recommend(&test.costs_among(measure, neighbours, choices), &TARGETS)
-            };
-            let by_work = recommended(CostMeasure::Interactions);
-            let by_time = recommended(CostMeasure::Seconds);
-            for (work, time) in by_work.into_iter().zip(by_time) {
-                let head =
-                    [test.name().into(), neighbours.name().into(), format!("{:.0e}", work.target)];
-                let by_work = match work.choice.map(|index| &test.points[index]) {
-                    Some(point) => [
+        for among in Neighbours::ALL {
+            for found in recommend(&test.costs(among, choices), &TARGETS) {
+                let mut row = cells![test.name(), among.name(), format!("{:.0e}", found.target)];
+                row.extend(match found.choice.map(|index| &test.points[index]) {
+                    Some(point) => cells![
                         describe(&choices[point.choice]),
-                        point.cost.plan.particles.to_string(),
-                        significant(point.cost.interactions as f64, 3),
-                        significant(point.cost.comparison.l1, 3),
+                        point.particles,
+                        significant(point.run.interactions as f64, 3),
+                        significant(point.run.comparison.l1, 3),
+                        significant(1e3 * point.seconds, 2),
                     ],
-                    None => ["none of these runs", "–", "–", "–"].map(String::from),
-                };
-                let by_time = match time.choice.map(|index| &test.points[index]) {
-                    Some(point) => [
-                        describe(&choices[point.choice]),
-                        point.cost.plan.particles.to_string(),
-                        milliseconds(point.cost.seconds),
-                    ],
-                    None => ["none of these runs", "–", "–"].map(String::from),
-                };
-                table.push(head.into_iter().chain(by_work).chain(by_time));
+                    None => cells!["none of these runs", "–", "–", "–", "–"],
+                });
+                rows.push(row);
             }
         }
     }
-    table
-}
-
-fn milliseconds(seconds: Seconds) -> String {
-    let text = |seconds: f64| significant(1e3 * seconds, 2);
-    format!("{} ({} to {})", text(seconds.median), text(seconds.lowest), text(seconds.highest))
+    text().table("speed_recommendation", &[], rows)
 }
