@@ -1,6 +1,6 @@
 //! Courant number against error and failure, for each flux and test.
 
-use super::cost::curve;
+use super::cost::{curve, error_axis};
 use super::runs::{LAGRANGIAN, PARTICLES, method, tube};
 use super::table_2::sound_growth;
 use super::{Detail, error_or_failure, panel_title, text};
@@ -102,12 +102,15 @@ pub fn items(detail: Detail) -> Vec<Item> {
 }
 
 fn figure(series: &[Series]) -> Item {
-    let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
+    let mut figure = Figure::grid(2, 2)
+        .size(7.0, 6.0)
+        .title("Godunov-type SPH: cubic B-spline, l/Δξ = 2, N = 100, steps from the current state")
+        .legend_below();
     let mut lines = Vec::new();
     for test in 1..=4 {
         let mut panel = Panel::new(
-            Axis::linear("Courant number CΔt/Δξ").range(0.0, 3.05),
-            Axis::log("Σ|e|/N of ρ"),
+            Axis::linear("Courant number of sound, ρcΔt/Δξ").range(0.0, 3.05),
+            error_axis(),
         )
         .title(panel_title(test))
         .layer(Line::vertical(MONOTONE).dash(Dash::Dashed).label("monotone up to 8/5"))
