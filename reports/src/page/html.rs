@@ -1,6 +1,6 @@
 //! Pages as HTML: readable on a telephone and in the dark, with contents, and with data folded away.
 
-use super::{About, Item, Page, Section, files};
+use super::{About, Item, Page, QUICK, Section, links};
 use crate::markup::{escaped, inline};
 
 const STYLE: &str = "
@@ -49,10 +49,10 @@ fn anchor(title: &str) -> String {
 }
 
 fn source(about: &About) -> String {
-    let doi = about.doi.map_or_else(String::new, |doi| {
+    let doi = about.paper.doi.as_ref().map_or_else(String::new, |doi| {
         format!(" <a href=\"https://doi.org/{doi}\">doi:{}</a>", escaped(doi))
     });
-    format!("{}.{doi}", inline(about.citation))
+    format!("{}.{doi}", inline(&about.paper.citation))
 }
 
 fn made(about: &About) -> String {
@@ -64,13 +64,10 @@ fn made(about: &About) -> String {
     )
 }
 
-fn warning(about: &About) -> &'static str {
+fn warning(about: &About) -> String {
     match about.is_quick {
-        true => {
-            "<p class=\"quick\"><strong>A quick look.</strong> Grids are coarse and studies short: numbers and pictures \
-             differ from those of the whole report.</p>\n"
-        }
-        false => "",
+        true => format!("<p class=\"quick\"><strong>A quick look.</strong> {QUICK}</p>\n"),
+        false => String::new(),
     }
 }
 
@@ -89,13 +86,13 @@ pub(super) fn page(page: &Page) -> String {
     let mut body = format!(
         "<header id=\"top\">\n{way_back}<h1>{}</h1>\n<p class=\"about\">{}<br>{}</p>\n{}</header>\n\
          <nav aria-label=\"Contents\"><h2>Contents</h2>\n<ol>\n{contents}</ol></nav>\n<main>\n",
-        inline(&page.title),
+        inline(&about.paper.title),
         source(about),
         made(about),
         warning(about)
     );
     page.sections.iter().for_each(|section| body.push_str(&self::section(section)));
-    document(&page.title, &(body + "</main>\n"))
+    document(&about.paper.title, &(body + "</main>\n"))
 }
 
 fn section(section: &Section) -> String {
@@ -105,7 +102,8 @@ fn section(section: &Section) -> String {
         inline(&section.title)
     );
     for item in &section.items {
-        let folded = files(item)
+        let folded = links(item)
+            .into_iter()
             .map(|(label, file)| format!("<a href=\"{file}\">{}</a>", escaped(&label)))
             .collect::<Vec<_>>()
             .join(", ");
@@ -153,11 +151,14 @@ pub(super) fn index(title: &str, pages: &[Page]) -> String {
     if let Some(page) = pages.first() {
         let date = escaped(&page.about.date);
         let version = env!("CARGO_PKG_VERSION");
-        body.push_str(&format!("<p class=\"about\">courant {version}, {date}</p>\n{}", warning(&page.about)));
+        body.push_str(&format!(
+            "<p class=\"about\">courant {version}, {date}</p>\n{}",
+            warning(&page.about)
+        ));
     }
     body.push_str("</header>\n<main>\n");
     for page in pages {
-        let place = page.about.name;
+        let place = &page.about.paper.name;
         let names = |item: &Item| match item {
             Item::Figure { name, .. } => Some(name.clone()),
             _ => None,
@@ -169,14 +170,20 @@ pub(super) fn index(title: &str, pages: &[Page]) -> String {
         let parts: String = page
             .sections
             .iter()
-            .map(|s| format!("<li><a href=\"{place}/index.html#{}\">{}</a></li>\n", anchor(&s.title), inline(&s.title)))
+            .map(|s| {
+                format!(
+                    "<li><a href=\"{place}/index.html#{}\">{}</a></li>\n",
+                    anchor(&s.title),
+                    inline(&s.title)
+                )
+            })
             .collect();
         body.push_str(&format!(
             "<section class=\"paper\">\n{picture}<h2><a href=\"{place}/index.html\">{}</a></h2>\n\
              <p class=\"about\">{}</p>\n<p>{}</p>\n<details open><summary>What is in it</summary>\n<ol>\n{parts}</ol></details>\n</section>\n",
-            inline(&page.title),
+            inline(&page.about.paper.title),
             source(&page.about),
-            inline(page.about.summary)
+            inline(&page.about.paper.summary)
         ));
     }
     document(title, &(body + "</main>\n"))
