@@ -88,8 +88,14 @@ pub const SETTINGS: &str =
 
 /// Runs of one of the five methods that failed: they have a cost, but no error, and stand at the foot of the panel.
 pub fn failures(panel: Panel, index: usize, at: impl Iterator<Item = f64>) -> Panel {
-    let marks = at.map(|x| (x, LEAST_ERROR * 1.3));
-    panel.layer(Markers::new(marks, Marker::Cross).color(Color::qualitative(index)).size(5.0))
+    let marks: Vec<(f64, f64)> = at.map(|x| (x, LEAST_ERROR * 1.3)).collect();
+    match marks.is_empty() {
+        true => panel,
+        false => {
+            let marks = Markers::new(marks, Marker::Cross).color(Color::qualitative(index));
+            panel.layer(marks.size(5.0).label("run failed: no error, drawn at the foot"))
+        }
+    }
 }
 
 /// The axis of errors: all four tests on one scale.

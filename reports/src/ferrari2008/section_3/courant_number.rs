@@ -1,6 +1,6 @@
 //! Courant number against error and failure, for each flux and test.
 
-use super::cost::{curve, error_axis};
+use super::cost::curve;
 use super::runs::{LAGRANGIAN, PARTICLES, method, tube};
 use super::table_2::sound_growth;
 use super::{Detail, error_or_failure, panel_title, text};
@@ -110,7 +110,7 @@ fn figure(series: &[Series]) -> Item {
     for test in 1..=4 {
         let mut panel = Panel::new(
             Axis::linear("Courant number of sound, ρcΔt/Δξ").range(0.0, 3.05),
-            error_axis(),
+            Axis::log("Σ|e|/N of ρ").range(7e-3, 12.0),
         )
         .title(panel_title(test))
         .layer(Line::vertical(MONOTONE).dash(Dash::Dashed).label("monotone up to 8/5"))

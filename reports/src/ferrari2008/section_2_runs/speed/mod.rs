@@ -237,16 +237,16 @@ fn figure(test: &Test, choices: &[Choice]) -> Figure {
             let faint = color.mix(Color::WHITE, 0.6);
             let own: Vec<(f64, f64)> = pareto_front(&runs).into_iter().map(|k| runs[k]).collect();
             let wins = best.iter().map(|&k| runs[k]).filter(|run| run.0.is_finite());
+            let wins: Vec<(f64, f64)> = wins.collect();
+            let name = match wins.is_empty() {
+                true => String::new(),
+                false => format!("{}, cheapest of all", scheme.title()),
+            };
             panel = panel
                 .layer(Markers::new(inside, Marker::Circle).color(faint).size(1.5).width(0.2))
                 .layer(Markers::new(outside, Marker::Cross).color(faint).size(3.0).label(OUTSIDE))
                 .layer(Line::new(own).color(color).width(1.3).label(scheme.title()))
-                .layer(
-                    Markers::new(wins, Marker::Circle)
-                        .color(color)
-                        .size(4.6)
-                        .label(format!("{}, cheapest of all", scheme.title())),
-                );
+                .layer(Markers::new(wins, Marker::Circle).color(color).size(4.6).label(name));
         }
         figure = figure.panel(panel);
     }
