@@ -6,6 +6,7 @@ pub mod advection;
 pub mod boundary;
 pub mod comparison;
 pub mod finite_volume;
+pub mod gravity;
 pub mod lagrangian;
 pub mod lattice;
 pub mod march;

@@ -1,5 +1,6 @@
 //! Individual time steps in blocks of powers of two.
 
+use super::body_force::BodyForce;
 use super::gas::Gas;
 use super::pair_force::{PairForce, Work};
 use super::rates::Rates;
@@ -64,34 +65,46 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
 
     /// Looks at the signal velocities where a block begins, the fields of the system being those of its
     /// state; the longest block.
-    pub fn begin<G: Gas<Thermal = T>>(&mut self, system: &mut ParticleSystem<D, G>) -> f64 {
+    pub fn begin<G: Gas<Thermal = T>, B: BodyForce<D>>(
+        &mut self,
+        system: &mut ParticleSystem<D, G>,
+        body: &B,
+    ) -> f64 {
         system.signals(&mut self.signal);
         self.warn(system);
-        let steps = || (0..system.particles.len()).map(|i| self.own_step(system, i));
+        let steps = || (0..system.particles.len()).map(|i| self.own_step(system, body, i));
         let (shortest, slowest) =
             (steps().fold(f64::INFINITY, f64::min), steps().fold(0.0, f64::max));
         slowest.min(shortest * f64::from(1_u32 << self.levels))
     }
 
-    fn own_step<G: Gas<Thermal = T>>(&self, system: &ParticleSystem<D, G>, i: usize) -> f64 {
-        self.courant * system.particles.smoothing[i] / self.signal[i]
+    fn own_step<G: Gas<Thermal = T>, B: BodyForce<D>>(
+        &self,
+        system: &ParticleSystem<D, G>,
+        body: &B,
+        i: usize,
+    ) -> f64 {
+        let h = system.particles.smoothing[i];
+        (self.courant * h / self.signal[i]).min(body.longest_step(i, self.courant, h))
     }
 
     /// One block of the given length, after [`begin`](Self::begin).
     ///
     /// # Errors
     /// [`Reason`] if the particles leave the states of a gas.
-    pub fn block<G: Gas<Thermal = T>, F: PairForce>(
+    pub fn block<G: Gas<Thermal = T>, F: PairForce, B: BodyForce<D>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
+        body: &mut B,
         length: f64,
     ) -> Result<(), Reason> {
         let count = system.particles.len();
         let mut level = std::mem::take(&mut self.level);
         level.clear();
         level.extend((0..count).map(|i| {
-            ((length / self.own_step(system, i)).log2().ceil().max(0.0) as u32).min(self.levels)
+            ((length / self.own_step(system, body, i)).log2().ceil().max(0.0) as u32)
+                .min(self.levels)
         }));
         self.level = level;
         self.level_out(system);
@@ -118,7 +131,8 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             for (x, v) in system.particles.position.iter_mut().zip(&system.particles.velocity) {
                 *x = plus_scaled(x, tick, v);
             }
-            self.close(system, F::WORK, finest, now + 1, tick);
+            body.drift(tick);
+            self.close(system, body, F::WORK, finest, now + 1, tick);
             self.substeps += 1;
         }
         Ok(())
@@ -164,36 +178,48 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
         self.wall_impulse = plus_scaled(&self.wall_impulse, 1.0, &self.rates.wall_force);
     }
 
-    /// Gives the particles whose step ends now what they have been owed.
-    fn close<G: Gas<Thermal = T>>(
+    /// Gives the particles whose step ends now what they have been owed, and the body force.
+    fn close<G: Gas<Thermal = T>, B: BodyForce<D>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
+        body: &mut B,
         work: Work,
         finest: u32,
         now: u32,
         tick: f64,
     ) {
         let state = &mut system.particles;
+        let level = &self.level;
+        let half = |i: usize| {
+            let ticks = 1_u32 << (finest - level[i]);
+            now.is_multiple_of(ticks).then(|| 0.5 * f64::from(ticks) * tick)
+        };
         for i in 0..state.len() {
-            let ticks = 1_u32 << (finest - self.level[i]);
-            if !now.is_multiple_of(ticks) {
-                continue;
-            }
+            let Some(half) = half(i) else { continue };
             let change = self.impulse[i];
             let old = state.velocity[i];
-            let centred = plus_scaled(&old, 0.5, &change);
+            // The body force gives half of its impulse before the pairs give theirs.
+            let fall = body.impulse(i, state.mass[i], half);
+            let falling = plus_scaled(&old, 1.0, &fall);
             let seen = match work {
                 Work::Instantaneous => old,
-                Work::TimeCentred => centred,
+                Work::TimeCentred => plus_scaled(&falling, 0.5, &change),
             };
             let done = T::from_energy(|| dot(&seen, &change));
             state.thermal[i] =
                 state.thermal[i].plus_scaled(1.0, self.energy[i].plus_scaled(-1.0, done));
-            state.position[i] =
-                plus_scaled(&state.position[i], 0.5 * f64::from(ticks) * tick, &change);
-            state.velocity[i] = plus_scaled(&old, 1.0, &change);
+            let late = plus_scaled(&change, 2.0, &fall);
+            state.position[i] = plus_scaled(&state.position[i], half, &late);
+            state.velocity[i] = plus_scaled(&falling, 1.0, &change);
             self.impulse[i] = [0.0; D];
             self.energy[i] = T::default();
+        }
+        body.update(state, |i| half(i).is_some());
+        for i in 0..state.len() {
+            if let Some(half) = half(i) {
+                let fall = body.impulse(i, state.mass[i], half);
+                state.velocity[i] = plus_scaled(&state.velocity[i], 1.0, &fall);
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A system of particles as something that marches in time.
 
 use super::block_steps::BlockStepper;
+use super::body_force::BodyForce;
 use super::gas::Gas;
 use super::integrator::{Nystrom, Stepper};
 use super::pair_force::PairForce;
@@ -18,7 +19,9 @@ pub enum Stepping<const D: usize, T> {
     Blocks(BlockStepper<D, T>),
 }
 
-/// Particles of a gas under a pair force, in any dimension.
+/// Particles of a gas under a pair force, in any dimension; with a body force `B`, or none.
+///
+/// The body force gives half of its impulse where a particle's step begins and half where it ends, whoever shares that step.
 ///
 /// ```
 /// use courant_analysis::kernel::Kernel;
@@ -50,9 +53,10 @@ pub enum Stepping<const D: usize, T> {
 /// assert!((evolution.system().particles.position[0][0] - 0.1).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone)]
-pub struct ParticleEvolution<const D: usize, G: Gas, F> {
+pub struct ParticleEvolution<const D: usize, G: Gas, F, B = ()> {
     system: ParticleSystem<D, G>,
     force: F,
+    body: B,
     courant: f64,
     stepping: Stepping<D, G::Thermal>,
     /// Whether the fields of the system are those of its state.
@@ -85,12 +89,25 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
         stepping: Stepping<D, G::Thermal>,
     ) -> Self {
         let before = system.particles.clone();
-        Self { system, force, courant, stepping, current: false, before }
+        Self { system, force, body: (), courant, stepping, current: false, before }
     }
 
+    /// The same under a body force.
+    pub fn under<B: BodyForce<D>>(self, body: B) -> ParticleEvolution<D, G, F, B> {
+        let Self { system, force, courant, stepping, before, .. } = self;
+        ParticleEvolution { system, force, body, courant, stepping, current: false, before }
+    }
+}
+
+impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> ParticleEvolution<D, G, F, B> {
     /// The particles; after a step that was taken, with the fields of their state.
     pub fn system(&self) -> &ParticleSystem<D, G> {
         &self.system
+    }
+
+    /// The body force.
+    pub fn body(&self) -> &B {
+        &self.body
     }
 
     /// Momentum that the walls have given so far.
@@ -117,26 +134,35 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
     }
 
     fn step(&mut self, step: f64) -> Result<(), Reason> {
+        let Self { system, force, body, .. } = self;
         match &mut self.stepping {
-            Stepping::Global(stepper) => stepper.step(&mut self.system, &self.force, step)?,
-            Stepping::Blocks(stepper) => stepper.block(&mut self.system, &self.force, step)?,
+            Stepping::Global(stepper) => stepper.step(system, force, body, step)?,
+            Stepping::Blocks(stepper) => stepper.block(system, force, body, step)?,
         }
-        self.system.update_fields()
+        body.settle(system);
+        system.update_fields()
     }
 }
 
-impl<const D: usize, G: Gas, F: PairForce> Evolution for ParticleEvolution<D, G, F> {
+impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> Evolution
+    for ParticleEvolution<D, G, F, B>
+{
     fn time_step(&mut self) -> Result<f64, Reason> {
         if !self.current {
             self.system.update_fields()?;
+            self.body.update(&self.system.particles, |_| true);
             self.current = true;
         }
+        let Self { system, force, body, courant, .. } = self;
         Ok(match &mut self.stepping {
             Stepping::Global(stepper) => {
-                stepper.begin(&mut self.system, &self.force);
-                self.courant * stepper.crossing_time(&self.system)
+                stepper.begin(system, force);
+                let smoothing = system.particles.smoothing.iter().enumerate();
+                smoothing
+                    .map(|(i, &h)| body.longest_step(i, *courant, h))
+                    .fold(*courant * stepper.crossing_time(system), f64::min)
             }
-            Stepping::Blocks(stepper) => stepper.begin(&mut self.system),
+            Stepping::Blocks(stepper) => stepper.begin(system, body),
         })
     }
 
@@ -144,14 +170,19 @@ impl<const D: usize, G: Gas, F: PairForce> Evolution for ParticleEvolution<D, G,
         let (before, now) = (&mut self.before, &self.system.particles);
         before.position.clone_from(&now.position);
         before.velocity.clone_from(&now.velocity);
+        before.mass.clone_from(&now.mass);
         before.thermal.clone_from(&now.thermal);
         before.smoothing.clone_from(&now.smoothing);
+        self.body.keep();
         let impulse = self.wall_impulse();
         self.step(step).inspect_err(|_| {
+            // Breaks come before particles are taken out: there are as many as before.
             std::mem::swap(&mut self.before, &mut self.system.particles);
             self.set_wall_impulse(impulse);
+            self.body.restore();
             // They were physical before the step.
             self.current = self.system.update_fields().is_ok();
+            self.body.update(&self.system.particles, |_| true);
         })
     }
 }

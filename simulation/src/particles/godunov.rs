@@ -47,6 +47,7 @@ impl<W: PairWeight, S: StarSolver> PairForce for Godunov<W, S> {
         let star = self.solver.star(&state(left), &state(right));
         let velocity =
             if W::STAR_WORK { star.velocity } else { 0.5 * (left.velocity + right.velocity) };
-        Some(Exchange { force: star.pressure * weight, velocity, iterations: star.iterations })
+        let force = star.pressure * weight;
+        Some(Exchange { force, weight, velocity, iterations: star.iterations })
     }
 }

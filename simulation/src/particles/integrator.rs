@@ -1,5 +1,6 @@
 //! Time integrators with one global step.
 
+use super::body_force::BodyForce;
 use super::gas::Gas;
 use super::pair_force::{PairForce, Work};
 use super::rates::Rates;
@@ -88,14 +89,16 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// One step of length `dt`, [`begin`](Self::begin) included unless it was just called.
+    /// One step of length `dt`, [`begin`](Self::begin) included unless it was just called; the body force is that of
+    /// where it begins, and afterwards that of where it ends.
     ///
     /// # Errors
     /// [`Reason`] if a stage leaves the states of a gas.
-    pub fn step<G: Gas<Thermal = T>, F: PairForce>(
+    pub fn step<G: Gas<Thermal = T>, F: PairForce, B: BodyForce<D>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
         force: &F,
+        body: &mut B,
         dt: f64,
     ) -> Result<(), Reason> {
         if !self.started {
@@ -112,12 +115,12 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         self.sum_heat.resize(count, T::default());
         for stage in 0..self.stages.len() {
             if self.moves(stage) {
-                self.predict(system, stage, dt);
+                self.predict(system, body, stage, dt);
                 system.rates(force, &mut self.rates)?;
             }
             self.accumulate(system, stage, dt);
         }
-        self.complete(system, dt, F::WORK);
+        self.complete(system, body, dt, F::WORK);
         Ok(())
     }
 
@@ -131,9 +134,10 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
     }
 
     /// The state at which a stage is evaluated.
-    fn predict<G: Gas<Thermal = T>>(
+    fn predict<G: Gas<Thermal = T>, B: BodyForce<D>>(
         &self,
         system: &mut ParticleSystem<D, G>,
+        body: &B,
         stage: usize,
         dt: f64,
     ) {
@@ -143,9 +147,11 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         let share = if kicked == 0.0 { 0.0 } else { c / kicked };
         let state = &mut system.particles;
         for i in 0..state.len() {
-            let drifted = plus_scaled(&self.position[i], c * dt, &self.velocity[i]);
+            let fall = body.acceleration(i).map(|a| c * dt * a);
+            let mean = plus_scaled(&self.velocity[i], 0.5, &fall);
+            let drifted = plus_scaled(&self.position[i], c * dt, &mean);
             state.position[i] = self.sum(drifted, dt * dt, p, i);
-            state.velocity[i] = self.sum(self.velocity[i], dt, q, i);
+            state.velocity[i] = self.sum(plus_scaled(&self.velocity[i], 1.0, &fall), dt, q, i);
             state.thermal[i] = q
                 .iter()
                 .zip(&self.stages)
@@ -198,16 +204,19 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
         kept.acceleration.clone_from(&self.rates.acceleration);
     }
 
-    fn complete<G: Gas<Thermal = T>>(
+    fn complete<G: Gas<Thermal = T>, B: BodyForce<D>>(
         &self,
         system: &mut ParticleSystem<D, G>,
+        body: &mut B,
         dt: f64,
         work: Work,
     ) {
         let Nystrom { position_weights, velocity_weights, .. } = &self.table;
         let state = &mut system.particles;
         for i in 0..state.len() {
-            let velocity = &self.velocity[i];
+            // The body force gives half of its impulse before the pairs give theirs.
+            let fall = body.impulse(i, state.mass[i], 0.5 * dt);
+            let velocity = &plus_scaled(&self.velocity[i], 1.0, &fall);
             let acceleration = self.sum([0.0; D], 1.0, velocity_weights, i);
             let heat = match work {
                 Work::Instantaneous => self.sum_heat[i],
@@ -222,6 +231,12 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
             state.position[i] = self.sum(drifted, dt * dt, position_weights, i);
             state.velocity[i] = plus_scaled(velocity, dt, &acceleration);
             state.thermal[i] = self.thermal[i].plus_scaled(dt, heat);
+        }
+        body.drift(dt);
+        body.update(state, |_| true);
+        for i in 0..state.len() {
+            let fall = body.impulse(i, state.mass[i], 0.5 * dt);
+            state.velocity[i] = plus_scaled(&state.velocity[i], 1.0, &fall);
         }
     }
 }

@@ -5,8 +5,11 @@
 //! compile-time constant that the pair forces do not know.
 
 mod block_steps;
+mod body_force;
 mod cells;
+mod confined;
 mod density;
+mod dispatch;
 mod domain;
 mod evolution;
 mod gas;
@@ -29,7 +32,10 @@ mod vector;
 mod viscous;
 
 pub use block_steps::BlockStepper;
+pub use body_force::BodyForce;
+pub use confined::Confined;
 pub use density::Smoothing;
+pub(crate) use dispatch::{Task, dispatch};
 pub use domain::{Domain, Image};
 pub use evolution::{ParticleEvolution, Stepping};
 pub use gas::{Gas, IsothermalGas};
@@ -47,9 +53,11 @@ pub use ring::{Amplification, Ring};
 pub use run::run_particles;
 pub use scene::{Flow, Material, ParticleScene};
 pub use smoothing_kernel::{RadialKernel, SmoothingKernel};
+pub(crate) use system::keep_only;
 pub use system::{Counters, ParticleSystem, Particles};
 pub use thermal::ThermalState;
 pub use vector::Vector;
+pub(crate) use vector::{dot, plus_scaled};
 pub use viscous::{ActsOn, PressureForm, Smoothed, Viscosity};
 
 #[cfg(test)]

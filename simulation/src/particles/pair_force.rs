@@ -33,6 +33,8 @@ pub struct Exchange {
     /// Force on the **left** particle along the line, divided by both masses; the right one feels the
     /// opposite. Negative for a repulsion.
     pub force: f64,
+    /// The force that a pressure of one in both particles would exert.
+    pub weight: f64,
     /// Velocity along the line at which that force works: the left particle gains the total
     /// energy `force × velocity` in unit time (per product of masses), the right one loses it.
     /// A particle of velocity `w` therefore heats by `± force × (velocity − w)`.

@@ -73,7 +73,7 @@ impl Ring {
             Smoothing::Constant,
             force,
         );
-        Stepper::new(table.clone()).step(&mut system, force, dt)?;
+        Stepper::new(table.clone()).step(&mut system, force, &mut (), dt)?;
         let flat = |vectors: Vec<[f64; 1]>| vectors.into_iter().map(|[x]| x).collect();
         Ok((flat(system.particles.position), flat(system.particles.velocity)))
     }

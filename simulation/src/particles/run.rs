@@ -1,24 +1,18 @@
 //! A scene, a method, and what comes of them.
 
+use super::dispatch::{Task, dispatch};
 use super::domain::Domain;
 use super::evolution::ParticleEvolution;
 use super::gas::Gas;
-use super::godunov::Godunov;
 use super::integrator::{Nystrom, table};
-use super::method::{
-    InvalidMethodOptions, MethodOptions, ParticleMethod, SolverChoice, StepSharing,
-};
+use super::method::{InvalidMethodOptions, MethodOptions, StepSharing};
 use super::pair_force::PairForce;
-use super::pair_weight::{Convolution, OwnKernels, Product, SumOfSquares};
 use super::result::{Drift, Errors, ParticleRun, Penetration};
-use super::scene::{Material, ParticleScene};
+use super::scene::ParticleScene;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use super::thermal::ThermalState;
-use super::viscous::{PressureForm, Smoothed};
 use crate::march::{Limits, march};
-use crate::riemann::isothermal::{Expansion, Isothermal};
-use crate::riemann::{ExactIdeal, StarSolver, Stopping, VanLeer};
 use crate::run::Profile;
 use std::ops::ControlFlow;
 
@@ -47,47 +41,26 @@ pub fn run_particles(
         return Err(InvalidMethodOptions::Particles(particles));
     }
     let table = table(options.integrator)?;
-    let run = (scene, particles, options, &table);
-    Ok(match scene.material {
-        Material::Isothermal(gas) => {
-            let expansion = match options.solver {
-                SolverChoice::Published => Expansion::AsShock,
-                SolverChoice::Converged | SolverChoice::Exact => Expansion::Exact,
-            };
-            let solver = Isothermal { sound_speed: gas.sound_speed, expansion };
-            with_solver(run, gas, solver)
-        }
-        Material::Ideal(gas) => {
-            let van_leer = |stopping| VanLeer { gas, stopping };
-            match options.solver {
-                SolverChoice::Published => with_solver(run, gas, van_leer(Stopping::Published)),
-                SolverChoice::Converged => with_solver(run, gas, van_leer(Stopping::Converged)),
-                SolverChoice::Exact => with_solver(run, gas, ExactIdeal(gas)),
-            }
-        }
-    })
+    Ok(dispatch(scene.material, options, Plan { scene, particles, options, table: &table }))
 }
 
-/// A scene, how many particles, options, and the table of their integrator.
-type Plan<'a> = (&'a ParticleScene, usize, &'a MethodOptions, &'a Nystrom<f64>);
+struct Plan<'a> {
+    scene: &'a ParticleScene,
+    particles: usize,
+    options: &'a MethodOptions,
+    table: &'a Nystrom<f64>,
+}
 
-fn with_solver<G: Gas, S: StarSolver>(plan: Plan<'_>, gas: G, solver: S) -> ParticleRun {
-    let options = plan.2;
-    let smoothed = |form| Smoothed { form, viscosity: options.viscosity };
-    match options.method {
-        ParticleMethod::Gph1 => evolve(plan, gas, Godunov { weight: SumOfSquares, solver }),
-        ParticleMethod::Gph2 => evolve(plan, gas, Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => evolve(plan, gas, Godunov { weight: OwnKernels, solver }),
-        ParticleMethod::Gph4 => {
-            evolve(plan, gas, Godunov { weight: Convolution(options.volume), solver })
-        }
-        ParticleMethod::Sph1 => evolve(plan, gas, smoothed(PressureForm::Sum)),
-        ParticleMethod::Sph2 => evolve(plan, gas, smoothed(PressureForm::Geometric)),
+impl Task for Plan<'_> {
+    type Output = ParticleRun;
+
+    fn run<G: Gas, F: PairForce>(self, gas: G, force: F) -> ParticleRun {
+        evolve(self, gas, force)
     }
 }
 
 fn evolve<G: Gas, F: PairForce>(
-    (scene, particles, options, table): Plan<'_>,
+    Plan { scene, particles, options, table }: Plan<'_>,
     gas: G,
     force: F,
 ) -> ParticleRun {

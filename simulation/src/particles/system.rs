@@ -39,6 +39,15 @@ impl<const D: usize, T> Particles<D, T> {
     }
 }
 
+/// Closes the gaps that the elements not to be kept leave.
+pub(crate) fn keep_only<A>(values: &mut Vec<A>, keep: impl Fn(usize) -> bool) {
+    let mut index = 0;
+    values.retain(|_| {
+        index += 1;
+        keep(index - 1)
+    });
+}
+
 /// Work done so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counters {
@@ -113,6 +122,22 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             ends: Vec::new(),
             counters: Counters::default(),
         }
+    }
+
+    /// Takes out the particles that are not to be kept. Fields and pairs are those of before until they are
+    /// [updated](Self::update_fields).
+    pub fn retain(&mut self, keep: impl Fn(usize) -> bool) {
+        let state = &mut self.particles;
+        keep_only(&mut state.position, &keep);
+        keep_only(&mut state.velocity, &keep);
+        keep_only(&mut state.mass, &keep);
+        keep_only(&mut state.thermal, &keep);
+        keep_only(&mut state.smoothing, &keep);
+        let count = state.len();
+        for field in [&mut self.density, &mut self.pressure, &mut self.sound_speed] {
+            field.truncate(count);
+        }
+        self.volume_gradient.truncate(count);
     }
 
     /// Densities by summation, as of the last evaluation.

@@ -80,17 +80,20 @@ impl PairForce for Smoothed {
         if slope == 0.0 {
             return None;
         }
-        let pressure = match self.form {
-            PressureForm::Sum => {
+        let (pressure, weight) = match self.form {
+            PressureForm::Sum => (
                 left.pressure / (left.density * left.density)
-                    + right.pressure / (right.density * right.density)
-            }
-            PressureForm::Geometric => {
-                2.0 * (left.pressure * right.pressure).sqrt() / (left.density * right.density)
-            }
+                    + right.pressure / (right.density * right.density),
+                1.0 / (left.density * left.density) + 1.0 / (right.density * right.density),
+            ),
+            PressureForm::Geometric => (
+                2.0 * (left.pressure * right.pressure).sqrt() / (left.density * right.density),
+                2.0 / (left.density * right.density),
+            ),
         };
         Some(Exchange {
             force: (pressure + self.viscosity.term(left, right, distance)) * slope,
+            weight: weight * slope,
             velocity: 0.5 * (left.velocity + right.velocity),
             iterations: 0,
         })

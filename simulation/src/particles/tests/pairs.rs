@@ -163,7 +163,7 @@ fn uniform_state_stays_uniform_bit_for_bit() {
         let mut stepper = Stepper::new(explicit("centred-euler"));
         for _ in 0..20 {
             // Dyadic too, so that x + dt v is exact.
-            stepper.step(&mut system, &force, 1.0 / 512.0).expect("a physical state");
+            stepper.step(&mut system, &force, &mut (), 1.0 / 512.0).expect("a physical state");
         }
         let state = &system.particles;
         for i in 0..state.len() {
@@ -191,7 +191,7 @@ fn evolved<const D: usize>(order: &[usize], force: &impl PairForce) -> Vec<Vecto
         system.update_fields().expect("a physical state");
         stepper.begin(&mut system, force);
         let dt = 0.02 * stepper.crossing_time(&system);
-        stepper.step(&mut system, force, dt).expect("a physical state");
+        stepper.step(&mut system, force, &mut (), dt).expect("a physical state");
     }
     let mut result = vec![[0.0; D]; order.len()];
     for (place, &i) in order.iter().enumerate() {

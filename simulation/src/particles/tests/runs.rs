@@ -259,12 +259,12 @@ fn nothing_is_allocated_once_buffers_have_grown() {
     );
     let mut stepper = Stepper::new(explicit("rk2-heun"));
     for _ in 0..3 {
-        stepper.step(&mut system, &force, 0.1).expect("a physical state");
+        stepper.step(&mut system, &force, &mut (), 0.1).expect("a physical state");
     }
     let address = |rates: &Rates<1, ()>| rates.acceleration.as_ptr();
     let before = (address(&stepper.rates), stepper.rates.signal.capacity());
     for _ in 0..20 {
-        stepper.step(&mut system, &force, 0.1).expect("a physical state");
+        stepper.step(&mut system, &force, &mut (), 0.1).expect("a physical state");
     }
     assert_eq!((address(&stepper.rates), stepper.rates.signal.capacity()), before);
     // Three neighbours a side is the margin of the search at most; each pair once.

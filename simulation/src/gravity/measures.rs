@@ -1,0 +1,171 @@
+//! The numbers by which the run of a cloud is judged.
+
+use super::cloud::{Cloud, Known};
+use super::run::{CloudRun, Snapshot};
+use crate::particles::dot;
+use std::collections::BTreeMap;
+
+/// The head of the infall at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Head {
+    /// The time simulated.
+    pub time: f64,
+    /// Where the mean infall of a shell falls below [`HEAD_SPEED`].
+    pub radius: f64,
+    /// The same of the exact solution.
+    pub exact: f64,
+    /// Root mean square of the radial velocities about those of their shells, in sound speeds, for `0.8 < r/(c t) < 1.2`.
+    pub scatter: f64,
+}
+
+/// Infall that counts as arrived, in sound speeds: well above the noise, and only a tenth of the way behind the head.
+pub const HEAD_SPEED: f64 = 0.1;
+/// When the head is looked at, in collapse times: well away from the sink and from the edge.
+const HEAD_TIME: f64 = 0.3;
+/// The accretion rate is that between these, in collapse times.
+pub const RATE_WINDOW: [f64; 2] = [0.1, 0.45];
+/// Shells in which velocities are averaged.
+const SHELLS: usize = 60;
+
+impl Cloud {
+    /// When the head of the wave is looked at, in the time simulated.
+    pub(super) fn head_time(&self) -> Option<f64> {
+        Some(HEAD_TIME * self.collapse_time()? - self.wave_start()?)
+    }
+
+    pub(super) fn head(&self, snapshot: &Snapshot) -> Option<Head> {
+        let (sound, since) = (self.sound_speed()?, snapshot.time + self.wave_start()?);
+        let mut all = snapshot.radial();
+        all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let shells: Vec<_> = all.chunks(all.len().div_ceil(SHELLS).max(1)).map(Shell::of).collect();
+        let inside = shells.windows(2).find(|pair| pair[1].velocity > -HEAD_SPEED * sound)?;
+        let [near, far] = [&inside[0], &inside[1]];
+        let part = (-HEAD_SPEED * sound - near.velocity) / (far.velocity - near.velocity);
+        let about = |shell: &&Shell| (0.8..1.2).contains(&(shell.radius / (sound * since)));
+        let (squares, count) = shells
+            .iter()
+            .filter(about)
+            .fold((0.0, 0), |(sum, count), shell| (sum + shell.squares, count + shell.count));
+        Some(Head {
+            time: snapshot.time,
+            radius: near.radius + part.clamp(0.0, 1.0) * (far.radius - near.radius),
+            exact: sound * since * super::ExpansionWave::solution().infall(HEAD_SPEED),
+            scatter: (squares / count.max(1) as f64).sqrt() / sound,
+        })
+    }
+}
+
+/// Particles of about one radius.
+struct Shell {
+    radius: f64,
+    velocity: f64,
+    /// `Σ (u − ū)²`.
+    squares: f64,
+    count: usize,
+}
+
+impl Shell {
+    fn of(members: &[[f64; 3]]) -> Self {
+        let count = members.len() as f64;
+        let mean = |axis: usize| members.iter().map(|one| one[axis]).sum::<f64>() / count;
+        let velocity = mean(1);
+        let squares = members.iter().map(|one| (one[1] - velocity).powi(2)).sum();
+        Self { radius: mean(0), velocity, squares, count: members.len() }
+    }
+}
+
+impl Snapshot {
+    /// Distance from the centre, velocity away from it, and density of each particle.
+    pub fn radial(&self) -> Vec<[f64; 3]> {
+        let one = |((x, v), density): ((&[f64; 3], &[f64; 3]), &f64)| {
+            let r = dot(x, x).sqrt();
+            [r, dot(x, v) / r, *density]
+        };
+        self.position.iter().zip(&self.velocity).zip(&self.density).map(one).collect()
+    }
+}
+
+impl CloudRun {
+    /// Slope of the line through the core masses of [`RATE_WINDOW`] by least squares, in `c³/G`; `None` if the run ended
+    /// before.
+    pub fn accretion_rate(&self, cloud: &Cloud) -> Option<f64> {
+        let (collapse, start) = (cloud.collapse_time()?, cloud.wave_start()?);
+        let [from, to] = RATE_WINDOW.map(|part| part * collapse - start);
+        if self.time < to {
+            return None;
+        }
+        let window: Vec<_> =
+            self.core.iter().filter(|core| core[0] >= from && core[0] <= to).collect();
+        let count = window.len() as f64;
+        let mean = |axis: usize| window.iter().map(|core| core[axis]).sum::<f64>() / count;
+        let (time, mass) = (mean(0), mean(1));
+        let (mut up, mut down) = (0.0, 0.0);
+        for core in window {
+            up += (core[0] - time) * (core[1] - mass);
+            down += (core[0] - time).powi(2);
+        }
+        Some(cloud.constant / cloud.sound_speed()?.powi(3) * up / down)
+    }
+
+    /// The numbers of the scene: errors are relative, momenta in units of the cloud's mass, radius and gravity.
+    pub fn measures(&self, cloud: &Cloud) -> BTreeMap<&'static str, f64> {
+        let mut measures = BTreeMap::from([("angular_momentum", self.angular_momentum)]);
+        let mut add = |name, value: Option<f64>| {
+            measures.extend(value.filter(|value| value.is_finite()).map(|value| (name, value)));
+        };
+        let totals = self.energies.iter().filter_map(super::Energies::total);
+        let drift = |total: f64, first: f64| ((total - first) / first).abs();
+        let first = self.energies[0].total();
+        add("energy", first.and_then(|first| totals.map(|e| drift(e, first)).reduce(f64::max)));
+        let last = self.snapshots.last();
+        match cloud.known {
+            Some(Known::ExpansionWave) => {
+                let core = self.core.last().copied();
+                let exact = cloud.sink.and_then(|radius| cloud.wave(radius, self.time));
+                add(
+                    "core_mass_error",
+                    core.zip(exact).map(|(core, e)| (core[1] / e.mass - 1.0).abs()),
+                );
+                add("accretion_rate", self.accretion_rate(cloud));
+                add(
+                    "head_position_error",
+                    self.head.map(|head| (head.radius / head.exact - 1.0).abs()),
+                );
+                add("head_scatter", self.head.map(|head| head.scatter));
+            }
+            Some(Known::Static) => {
+                let sound = cloud.sound_speed();
+                let speed = last.map(|one| {
+                    let square: f64 = one.velocity.iter().map(|v| dot(v, v)).sum();
+                    (square / one.velocity.len() as f64).sqrt()
+                });
+                add("rms_velocity", speed.zip(sound).map(|(speed, sound)| speed / sound));
+                let half = last.and_then(|one| radius_of_part(one, 0.5));
+                let start = cloud.radius * cloud.distribution.radius_of(0.5);
+                add("half_mass_radius_error", half.map(|half| (half / start - 1.0).abs()));
+            }
+            Some(Known::FreeFall) => {
+                // The outer shells feel the edge, where gas expands.
+                let inner = last.and_then(|one| radius_of_part(one, 0.1));
+                let start = cloud.radius * cloud.distribution.radius_of(0.1);
+                let exact = start * cloud.fallen(self.time);
+                add("tenth_mass_radius_error", inner.map(|inner| (inner / exact - 1.0).abs()));
+            }
+            None => {
+                let peak = self.energies.iter().filter_map(|e| e.thermal).reduce(f64::max);
+                add("peak_thermal_energy", peak);
+            }
+        }
+        measures
+    }
+}
+
+/// The radius that holds a part of the particles.
+fn radius_of_part(snapshot: &Snapshot, part: f64) -> Option<f64> {
+    let mut radii: Vec<f64> = snapshot.radial().iter().map(|one| one[0]).collect();
+    radii.sort_by(f64::total_cmp);
+    let at = part * radii.len() as f64 - 0.5;
+    let index = at.max(0.0) as usize;
+    let next = *radii.get(index + 1)?;
+    Some(radii[index] + (at - index as f64) * (next - radii[index]))
+}

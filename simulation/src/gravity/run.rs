@@ -1,0 +1,304 @@
+//! The run of a cloud, and what comes of it.
+
+use super::cloud::Cloud;
+use super::measures::Head;
+use super::self_gravity::SelfGravity;
+use super::sink::{MaybeSink, Sink, cross};
+use super::sphere::{ball, relax};
+use crate::boundary::Boundary;
+use crate::march::{Evolution, Limits, march};
+use crate::particles::{
+    Confined, Counters, Domain, Gas, InvalidMethodOptions, MethodOptions, PairForce,
+    ParticleEvolution, ParticleSystem, Particles, Smoothing, SmoothingKernel, StepSharing, Task,
+    ThermalState, Vector, dispatch, dot, plus_scaled, table,
+};
+use crate::run::Failure;
+use std::ops::ControlFlow;
+
+/// The gas at a time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Snapshot {
+    /// The time simulated.
+    pub time: f64,
+    /// Positions of the particles, from where the centre was.
+    pub position: Vec<Vector<3>>,
+    /// Their velocities.
+    pub velocity: Vec<Vector<3>>,
+    /// Their densities.
+    pub density: Vec<f64>,
+    /// The sink.
+    pub sink: Option<Sink>,
+    /// Mass of a particle.
+    pub particle_mass: f64,
+}
+
+/// The energies of the whole cloud.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energies {
+    /// The time simulated.
+    pub time: f64,
+    /// Of the motion, that of the sink included.
+    pub kinetic: f64,
+    /// Internal energy; `None` for an isothermal gas.
+    pub thermal: Option<f64>,
+    /// Of the attraction; with what particles had when the sink took them.
+    pub potential: f64,
+}
+
+impl Energies {
+    /// Their sum, conserved where there is an energy equation and a vacuum outside.
+    pub fn total(&self) -> Option<f64> {
+        self.thermal.map(|thermal| self.kinetic + thermal + self.potential)
+    }
+}
+
+/// What a run leaves behind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CloudRun {
+    /// Time and mass of the sink, after every step.
+    pub core: Vec<[f64; 2]>,
+    /// Energies at the start, at the end, and, where there is an energy equation, about [`SAMPLES`] times between.
+    pub energies: Vec<Energies>,
+    /// The gas at the times asked for, and at the end.
+    pub snapshots: Vec<Snapshot>,
+    /// The head of the wave, if the run came to it.
+    pub head: Option<Head>,
+    /// Total momentum at the end, over `√(G M³/R)`.
+    pub momentum: f64,
+    /// Total angular momentum at the end, over `√(G M³ R)`.
+    pub angular_momentum: f64,
+    /// Steps; with blocks, substeps.
+    pub steps: u64,
+    /// The time reached.
+    pub time: f64,
+    /// Why the run broke down; `None` if it reached the end.
+    pub failure: Option<Failure>,
+    /// Work of the gas.
+    pub counters: Counters,
+    /// Work of gravity: cells and particles summed over.
+    pub attractions: u64,
+}
+
+/// How often energies are summed up in a run.
+pub const SAMPLES: usize = 50;
+/// Steps of the relaxation of a cloud in equilibrium.
+const RELAXATION_STEPS: usize = 60;
+
+/// Runs a cloud to its end time. `snapshots` are times at which the gas is kept (the first step that reaches each), and
+/// `observe` hears the time simulated.
+///
+/// # Errors
+/// [`InvalidMethodOptions`] when the run cannot start. A run that breaks down is no error: see [`CloudRun::failure`].
+pub fn run_cloud(
+    cloud: &Cloud,
+    particles: usize,
+    options: &MethodOptions,
+    snapshots: &[f64],
+    observe: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<CloudRun, InvalidMethodOptions> {
+    options.check()?;
+    if particles < 100 {
+        return Err(InvalidMethodOptions::Particles(particles));
+    }
+    dispatch(cloud.material, options, Plan { cloud, particles, options, snapshots, observe })
+}
+
+/// The options of a method with what is customary for clouds: about 50 neighbours, block steps of at most eight halvings, 0.4 of the
+/// crossing time. The paper says the first two; SPH is then first order in time too.
+pub fn cloud_options(mut options: MethodOptions) -> MethodOptions {
+    options.eta = 1.145;
+    options.sharing = StepSharing::Block { levels: 8 };
+    options.integrator =
+        crate::particles::Integrator::named("centred-euler").expect("it is in the catalogue");
+    options.courant = 0.4;
+    options
+}
+
+struct Plan<'a> {
+    cloud: &'a Cloud,
+    particles: usize,
+    options: &'a MethodOptions,
+    snapshots: &'a [f64],
+    observe: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
+}
+
+impl Task for Plan<'_> {
+    type Output = Result<CloudRun, InvalidMethodOptions>;
+
+    fn run<G: Gas, F: PairForce>(self, gas: G, force: F) -> Self::Output {
+        match self.cloud.outside {
+            Some(pressure) => self.under(gas, Confined { force, pressure }),
+            None => self.under(gas, force),
+        }
+    }
+}
+
+impl Plan<'_> {
+    fn under<G: Gas, F: PairForce>(
+        self,
+        gas: G,
+        force: F,
+    ) -> Result<CloudRun, InvalidMethodOptions> {
+        let constant = self.cloud.constant;
+        let mut system = self.place(gas, &force);
+        match self.cloud.sink {
+            None => self.evolve(system, force, SelfGravity::new(constant, ())),
+            Some(radius) => {
+                let sink = hollow(&mut system, radius);
+                self.evolve(system, force, SelfGravity::new(constant, sink))
+            }
+        }
+    }
+
+    /// The particles at the start.
+    fn place<G: Gas, F: PairForce>(&self, gas: G, force: &F) -> ParticleSystem<3, G> {
+        let (cloud, count) = (self.cloud, self.particles);
+        let places = ball(cloud.distribution, count);
+        let thermal = G::Thermal::from_energy(|| cloud.energy);
+        let ratio = 4.0 * std::f64::consts::PI / 3.0;
+        let smoothing = (places.iter().enumerate())
+            // From the mean density inside.
+            .map(|(k, x)| {
+                self.options.eta
+                    * cloud.radius
+                    * dot(x, x).sqrt()
+                    * (ratio / (k as f64 + 0.5)).cbrt()
+            })
+            .collect();
+        let particles = Particles {
+            position: places.iter().map(|x| x.map(|x| cloud.radius * x)).collect(),
+            velocity: vec![[0.0; 3]; count],
+            mass: vec![cloud.mass / count as f64; count],
+            thermal: vec![thermal; count],
+            smoothing,
+        };
+        let mut system = ParticleSystem::new(
+            gas,
+            particles,
+            Domain::new([-cloud.radius; 3], [cloud.radius; 3], Boundary::Open),
+            SmoothingKernel::new(self.options.kernel),
+            Smoothing::adaptive(self.options.eta),
+            force,
+        );
+        if cloud.equilibrium {
+            // What goes wrong here goes wrong in the first step, which says so.
+            let _ = relax(&mut system, force, RELAXATION_STEPS);
+        }
+        system
+    }
+
+    fn evolve<G: Gas, F: PairForce, S: MaybeSink>(
+        self,
+        system: ParticleSystem<3, G>,
+        force: F,
+        gravity: SelfGravity<S>,
+    ) -> Result<CloudRun, InvalidMethodOptions> {
+        let Plan { cloud, options, snapshots, observe, .. } = self;
+        let evolution = match options.sharing {
+            StepSharing::Global => {
+                let table = table(options.integrator)?;
+                ParticleEvolution::global(system, force, &table, options.courant)
+            }
+            StepSharing::Block { levels } => {
+                ParticleEvolution::blocks(system, force, levels, options.courant)
+            }
+        };
+        let mut evolution = evolution.under(gravity);
+        // For the fields at the start; what is wrong with them the march finds again.
+        let _ = evolution.time_step();
+        let mut core = Vec::new();
+        let mut energies = vec![energies_of(&evolution, 0.0)];
+        let has_energy = energies[0].thermal.is_some();
+        let (mut kept, mut head) = (Vec::new(), None);
+        let end = cloud.end_time;
+        core.extend(evolution.body().sink.state().map(|sink| [0.0, sink.mass]));
+        let limits = Limits { steps: options.max_steps as usize };
+        let march = march(&mut evolution, end, limits, |state, time| {
+            core.extend(state.body().sink.state().map(|sink| [time, sink.mass]));
+            if head.is_none() && cloud.head_time().is_some_and(|wanted| time >= wanted) {
+                head = cloud.head(&snapshot(state, time));
+            }
+            if has_energy && time >= end / SAMPLES as f64 * energies.len() as f64 {
+                energies.push(energies_of(state, time));
+            }
+            if snapshots.get(kept.len()).is_some_and(|&wanted| time >= wanted) {
+                kept.push(snapshot(state, time));
+            }
+            observe(time)
+        });
+        kept.push(snapshot(&evolution, march.time));
+        energies.push(energies_of(&evolution, march.time));
+        let system = evolution.system();
+        let (mut momentum, mut turning) = (system.momentum(), [0.0; 3]);
+        let state = &system.particles;
+        for i in 0..state.len() {
+            let orbit = cross(&state.position[i], &state.velocity[i]);
+            turning = plus_scaled(&turning, state.mass[i], &orbit);
+        }
+        if let Some(sink) = evolution.body().sink.state() {
+            momentum = plus_scaled(&momentum, sink.mass, &sink.velocity);
+            turning = plus_scaled(&turning, sink.mass, &cross(&sink.position, &sink.velocity));
+            turning = plus_scaled(&turning, 1.0, &sink.spin);
+        }
+        let unit = (cloud.constant * cloud.mass.powi(3)).sqrt();
+        Ok(CloudRun {
+            core,
+            energies,
+            snapshots: kept,
+            head,
+            momentum: dot(&momentum, &momentum).sqrt() / unit * cloud.radius.sqrt(),
+            angular_momentum: dot(&turning, &turning).sqrt() / unit / cloud.radius.sqrt(),
+            steps: evolution.substeps().unwrap_or(march.steps as u64),
+            time: march.time,
+            failure: march.failure,
+            counters: system.counters,
+            attractions: evolution.body().interactions,
+        })
+    }
+}
+
+/// Puts all particles inside a radius into a sink.
+fn hollow<G: Gas>(system: &mut ParticleSystem<3, G>, radius: f64) -> Sink {
+    let outside: Vec<bool> =
+        system.particles.position.iter().map(|x| dot(x, x) >= radius * radius).collect();
+    let inside = outside.iter().zip(&system.particles.mass).filter(|(outside, _)| !**outside);
+    let mass = inside.map(|(_, mass)| mass).sum();
+    system.retain(|i| outside[i]);
+    Sink::new([0.0; 3], mass, radius)
+}
+
+type Gravitating<G, F, S> = ParticleEvolution<3, G, F, SelfGravity<S>>;
+
+fn energies_of<G: Gas, F: PairForce, S: MaybeSink>(
+    state: &Gravitating<G, F, S>,
+    time: f64,
+) -> Energies {
+    let (system, gravity) = (state.system(), state.body());
+    let particles = &system.particles;
+    let half = |m: f64, v: &Vector<3>| 0.5 * m * dot(v, v);
+    let mut kinetic: f64 =
+        particles.mass.iter().zip(&particles.velocity).map(|(m, v)| half(*m, v)).sum();
+    let thermal = system.energy().map(|energy| energy - kinetic);
+    let mut potential = gravity.energy(particles);
+    if let Some(sink) = gravity.sink.state() {
+        kinetic += half(sink.mass, &sink.velocity);
+        potential += sink.energy;
+    }
+    Energies { time, kinetic, thermal, potential }
+}
+
+fn snapshot<G: Gas, F: PairForce, S: MaybeSink>(
+    state: &Gravitating<G, F, S>,
+    time: f64,
+) -> Snapshot {
+    let system = state.system();
+    let particles = &system.particles;
+    Snapshot {
+        time,
+        position: particles.position.clone(),
+        velocity: particles.velocity.clone(),
+        density: system.density().to_vec(),
+        sink: state.body().sink.state().copied(),
+        particle_mass: particles.mass.first().copied().unwrap_or(0.0),
+    }
+}
