@@ -8,6 +8,22 @@ pub fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value + 0.0)
 }
 
+/// Appends a number as `Display` writes it, the shortest decimal that is this number, in a fraction of the time.
+pub(crate) fn push_shortest(text: &mut String, value: f64) {
+    use std::fmt::Write;
+    let mut buffer = zmij::Buffer::new();
+    let shortest = buffer.format(value);
+    // Very small, very large, or not finite: the notation differs, unless it is plain all the same.
+    let bytes = shortest.as_bytes();
+    let is_plain = (1e-3..1e9).contains(&value.abs())
+        || bytes.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'-'));
+    if is_plain {
+        text.push_str(shortest.strip_suffix(".0").unwrap_or(shortest));
+    } else {
+        write!(text, "{value}").expect("a string takes what is written");
+    }
+}
+
 /// A smoothing ratio as it is written exactly, from the shortest decimal that is this number: `1.05` is 21/20.
 pub fn exact_text(value: f64) -> String {
     let decimal = value.to_string();
@@ -92,6 +108,18 @@ fn minus(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_shortest_decimal_is_that_of_display(bits in any::<u64>(), near in -1e4f64..1e4) {
+            for value in [f64::from_bits(bits), near, near.round(), 1.0 / near, 0.0, -0.0, 1e21] {
+                let mut text = String::from("x");
+                push_shortest(&mut text, value);
+                prop_assert_eq!(text, format!("x{value}"));
+            }
+        }
+    }
 
     #[test]
     fn numbers_for_scripts() {

@@ -5,15 +5,14 @@ use crate::figure::{
     Isolines, Layer, Line, Marker, Markers, Panel,
 };
 use crate::npy;
-use crate::number::finite;
-use courant_analysis::exact::rational::{Rational, ratio, to_f64, to_text};
+use crate::number::{finite, push_shortest};
+use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::stability::Evidence;
 use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, with_progress};
 use courant_simulation::advection::{AdvectionScheme, Discretisation};
 use ndarray::Array2;
 use rayon::prelude::*;
-use std::fmt::Write;
 
 /// Relative width of the limits that are drawn and written, as a power of one half: some units in the last place of an `f64`, and roots
 /// need no names.
@@ -65,15 +64,15 @@ pub struct StabilityMap {
 /// When a ratio is out of range or the callback stops the sweep.
 pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityMap, SweepError> {
     let courant_numbers: Vec<f64> = plan.courant_numbers.iter().map(to_f64).collect();
-    let budget = ratio(DRAWN_GROWTH.0, DRAWN_GROWTH.1);
+    let growths = [integer(0), ratio(DRAWN_GROWTH.0, DRAWN_GROWTH.1)];
     let rows = with_progress(plan.ratios.par_iter(), progress, |l| {
         let of = Discretisation::new(plan.scheme, plan.kernel, l.clone())?;
         let search = of.plan().to_bits(LIMIT_BITS);
-        let strict = of.stable_set_by(&search).limit();
-        let within = of.stable_set_by(&search.growing(budget.clone()).knowing(&strict)).limit();
-        let limits = [&strict, &within, &of.monotone_set().limit()];
-        let curves = limits.map(|limit| (to_f64(l), limit.value()));
-        Ok((of.gain_extremes(&courant_numbers), (strict.evidence(), curves)))
+        let mut limits = of.limits_by(&search, &growths);
+        limits.push(of.monotone_set().limit());
+        let curves: Vec<CurvePoint> =
+            limits.iter().map(|limit| (to_f64(l), limit.value())).collect();
+        Ok((of.gain_extremes(&courant_numbers), (limits[0].evidence(), curves)))
     })?;
     let (gains, limits): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
     let gains = GainMap::from_rows(&gains, courant_numbers.len());
@@ -235,19 +234,40 @@ impl StabilityMap {
         let row = |(i, l): (usize, &Rational)| {
             let l = text_of(l);
             let mut text = String::with_capacity(100 * courant_numbers.len());
+            // A number is often that of the row before.
+            let mut last: [(f64, String); 4] = std::array::from_fn(|_| (f64::NAN, String::new()));
             for (j, c) in courant_numbers.iter().enumerate() {
                 let at = [i, j];
                 let gains = &self.gains;
-                let (most, most_at) = (1.0 + gains.growth[at], gains.growth_phase[at]);
-                let (least, least_at) = (gains.lowest_gain[at], gains.lowest_gain_phase[at]);
-                writeln!(text, "{l},{c},{most},{most_at},{least},{least_at}")
-                    .expect("a string takes what is written");
+                text.push_str(&l);
+                text.push(',');
+                text.push_str(c);
+                let values = [
+                    1.0 + gains.growth[at],
+                    gains.growth_phase[at],
+                    gains.lowest_gain[at],
+                    gains.lowest_gain_phase[at],
+                ];
+                for (value, (known, decimal)) in values.into_iter().zip(&mut last) {
+                    if value.to_bits() != known.to_bits() || decimal.is_empty() {
+                        *known = value;
+                        decimal.clear();
+                        push_shortest(decimal, value);
+                    }
+                    text.push(',');
+                    text.push_str(decimal);
+                }
+                text.push('\n');
             }
             text
         };
         let rows: Vec<String> = self.plan.ratios.par_iter().enumerate().map(row).collect();
         let heading = "ratio,cfl,max_gain,max_gain_phase,min_gain,min_gain_phase\n";
-        heading.to_string() + &rows.concat()
+        let mut text =
+            String::with_capacity(heading.len() + rows.iter().map(String::len).sum::<usize>());
+        text.push_str(heading);
+        rows.iter().for_each(|row| text.push_str(row));
+        text
     }
 
     /// The limit curves as comma-separated values.
@@ -370,7 +390,6 @@ pub struct PublishedPoint {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_analysis::exact::rational::integer;
     use courant_analysis::waves::sweep::no_progress;
 
     #[test]

@@ -16,6 +16,7 @@ use courant::reports::plane_map::PlaneAxis;
 use courant::reports::publish::OutputDirectory;
 use courant::reports::stability_map::{MapPlan, stability_map};
 use courant::simulation::advection::AdvectionScheme;
+use rayon::prelude::*;
 use std::path::PathBuf;
 
 /// Points of one map at most.
@@ -115,9 +116,7 @@ fn write(
     let (png, svg) = (png?, svg?.into_bytes());
     let mut files = vec![(format!("{stem}.png"), png), (format!("{stem}.svg"), svg)];
     files.extend(data);
-    let mut text = String::new();
-    for (name, bytes) in files {
-        text.push_str(&format!("{}\n", output.write(&name, &bytes)?.display()));
-    }
-    print(&text)
+    let written = files.par_iter().map(|(name, bytes)| output.write(name, bytes));
+    let paths: Vec<PathBuf> = written.collect::<Result<_, _>>()?;
+    print(&paths.iter().map(|path| format!("{}\n", path.display())).collect::<String>())
 }

@@ -9,8 +9,9 @@ use crate::exact::rational::{Rational, common_denominator, numerator_over};
 use crate::stability::margin::Margin;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::collections::VecDeque;
+use std::ops::AddAssign;
 
 mod basis;
 mod cover;
@@ -58,6 +59,9 @@ pub enum Sign {
 
 /// Bits of the fixed point beyond the spread of the Bernstein coefficients.
 const FIXED_POINT_BITS: u32 = 256;
+
+/// With fewer bits machine integers are not tried.
+const LEAST_NARROW_BITS: i64 = 32;
 
 /// A margin `P(s, t) = Σ_j t^j p_j(s)` prepared for decisions: each `p_j` in scaled Bernstein form,
 /// `p_j(s) = Σ_i β_{j,i} s^i (1 − s)^{n−i}`, with integer `β`.
@@ -133,47 +137,29 @@ impl MarginForm {
     }
 
     /// Decides whether `P` is nowhere negative on `0 ≤ s ≤ 1`, `from ≤ t ≤ to`, looking at no more than
-    /// `max_boxes` boxes.
+    /// `max_boxes` boxes. Machine integers come first; where their rounding could decide, long ones do.
     pub fn sign(&self, from: &Rational, to: &Rational, max_boxes: usize) -> (Sign, Work) {
-        let first = self.first_box(from, to);
-        let mut work = Work::default();
-        // Boxes with the left end of their s-interval in units of 2^−depth, coarse ones first: a
-        // counterexample elsewhere is met before a touching zero is pursued without end.
-        let mut pending = VecDeque::from([(first, BigInt::zero(), 0u32)]);
-        while let Some((current, left_end, depth)) = pending.pop_front() {
-            work.boxes += 1;
-            // Each of the `depth + 1` roundings lowered a number by less than one unit.
-            let rounding = -BigInt::from(depth + 1);
-            if current.iter().flatten().all(|value| !value.is_negative()) {
-                continue;
-            }
-            let corners = [(&current[0], from), (&current[current.len() - 1], to)];
-            for (row, t) in corners {
-                for (value, step) in [(&row[0], 0), (&row[row.len() - 1], 1)] {
-                    if *value < rounding {
-                        let s = Rational::new(&left_end + step, BigInt::one() << depth);
-                        let corner = Sign::SomewhereNegative {
-                            phase_parameter: s,
-                            courant_parameter: t.clone(),
-                        };
-                        return (corner, work);
-                    }
-                }
-            }
-            if work.boxes + pending.len() + 2 > max_boxes {
-                return (Sign::Undecided, work);
-            }
-            let (left, right) = halve(current, |sum, _, level| sum >> level);
-            let first: BigInt = left_end << 1;
-            pending.push_back((left, first.clone(), depth + 1));
-            pending.push_back((right, first + 1, depth + 1));
-        }
-        (Sign::NowhereNegative, work)
+        let rows = self.scaled_box(from, to);
+        let narrow = self.narrow_bits().and_then(|bits| {
+            // What the binomials divide is below 2^126.
+            let rows = self.in_fixed_point(&rows, bits, |value, binomial| {
+                Some(Integer::div_floor(&value.to_i128()?, &binomial.to_i128()?))
+            });
+            nowhere_negative(rows?, [from, to], max_boxes, true)
+        });
+        narrow.unwrap_or_else(|| {
+            let bits = i64::from(self.fixed_point_bits);
+            let divided = |value: BigInt, binomial: &BigInt| Some(value.div_floor(binomial));
+            self.in_fixed_point(&rows, bits, divided)
+                .and_then(|rows| nowhere_negative(rows, [from, to], max_boxes, false))
+                .expect("long integers hold any number, and no doubt stops them")
+        })
     }
 
-    /// Bernstein coefficients of `P` on the box, `[power of t][power of s]`, in fixed point.
-    fn first_box(&self, from: &Rational, to: &Rational) -> Vec<Vec<BigInt>> {
-        self.in_fixed_point(self.scaled_box(from, to))
+    /// Bits of the fixed point that leave room for the sums of a halving in an `i128`, if they tell anything.
+    fn narrow_bits(&self) -> Option<i64> {
+        let bits = 125 - self.degree() as i64 - amplification(self.degree());
+        (bits >= LEAST_NARROW_BITS).then_some(bits)
     }
 
     /// Positive multiples of the Bernstein coefficients on the box, exact: row by row they still carry
@@ -200,35 +186,104 @@ impl MarginForm {
     /// Divides by the binomials and cuts to a unit far below the size of the polynomial: Bernstein
     /// coefficients of degree `n` exceed the polynomial by less than `2^{3n/2}`, and the bits above that are
     /// far below any tolerance asked for.
-    fn in_fixed_point(&self, mut rows: Vec<Vec<BigInt>>) -> Vec<Vec<BigInt>> {
-        let wanted = i64::from(self.fixed_point_bits) + 3 * self.degree() as i64 / 2;
+    fn in_fixed_point<T>(
+        &self,
+        rows: &[Vec<BigInt>],
+        bits: i64,
+        divided: impl Fn(BigInt, &BigInt) -> Option<T>,
+    ) -> Option<Vec<Vec<T>>> {
         let largest = rows
             .iter()
             .flat_map(|row| row.iter().zip(&self.binomials))
             .map(|(value, binomial)| value.bits() as i64 - binomial.bits() as i64)
             .max()
             .unwrap_or(0);
-        let shift = wanted - largest;
-        for row in &mut rows {
-            for (value, binomial) in row.iter_mut().zip(&self.binomials) {
-                *value = if shift >= 0 {
-                    (std::mem::take(value) << shift as u64).div_floor(binomial)
-                } else {
-                    value.div_floor(&(binomial << (-shift) as u64))
-                };
+        let shift = bits + amplification(self.degree()) - largest;
+        let cut = |(value, binomial): (&BigInt, &BigInt)| {
+            // Cut off downwards twice is cut off downwards once.
+            let shifted = if shift >= 0 { value << shift as u64 } else { value >> (-shift) as u64 };
+            divided(shifted, binomial)
+        };
+        rows.iter().map(|row| row.iter().zip(&self.binomials).map(cut).collect()).collect()
+    }
+}
+
+/// How many bits the Bernstein coefficients of this degree may exceed the polynomial by.
+fn amplification(degree: usize) -> i64 {
+    3 * degree as i64 / 2
+}
+
+/// What fixed point is made of: long integers, or machine integers where they suffice.
+trait Fixed: Signed + Clone + Default + Ord + From<i32> + for<'a> AddAssign<&'a Self> {
+    /// `⌊self/2^bits⌋`.
+    fn halved(self, bits: usize) -> Self;
+}
+
+impl Fixed for i128 {
+    fn halved(self, bits: usize) -> Self {
+        self >> bits
+    }
+}
+
+impl Fixed for BigInt {
+    fn halved(self, bits: usize) -> Self {
+        self >> bits
+    }
+}
+
+/// Whether the polynomial with these Bernstein coefficients over `0 ≤ s ≤ 1` and a range of `t`, `[index in t][index in s]`, each cut
+/// off downwards by less than one unit, is nowhere negative. `None` where rounding alone may make a corner negative, if that is to stop it.
+fn nowhere_negative<T: Fixed>(
+    first: Vec<Vec<T>>,
+    [from, to]: [&Rational; 2],
+    max_boxes: usize,
+    stops_at_doubts: bool,
+) -> Option<(Sign, Work)> {
+    let mut work = Work::default();
+    // Boxes with the left end of their s-interval in units of 2^−depth, coarse ones first: a
+    // counterexample elsewhere is met before a touching zero is pursued without end.
+    let mut pending = VecDeque::from([(first, BigInt::zero(), 0)]);
+    while let Some((current, left_end, depth)) = pending.pop_front() {
+        work.boxes += 1;
+        if current.iter().flatten().all(|value| !value.is_negative()) {
+            continue;
+        }
+        // Each of the `depth + 1` roundings lowered a number by less than one unit.
+        let rounding = -T::from(depth + 1);
+        let corners = [(&current[0], from), (&current[current.len() - 1], to)];
+        for (row, t) in corners {
+            for (value, step) in [(&row[0], 0), (&row[row.len() - 1], 1)] {
+                if *value < rounding {
+                    let s = Rational::new(&left_end + step, BigInt::one() << depth);
+                    let corner = Sign::SomewhereNegative {
+                        phase_parameter: s,
+                        courant_parameter: t.clone(),
+                    };
+                    return Some((corner, work));
+                }
+                if stops_at_doubts && value.is_negative() {
+                    return None;
+                }
             }
         }
-        rows
+        if work.boxes + pending.len() + 2 > max_boxes {
+            return Some((Sign::Undecided, work));
+        }
+        let (left, right) = halve(current, |sum, _, level| sum.halved(level));
+        let first: BigInt = left_end << 1;
+        pending.push_back((left, first.clone(), depth + 1));
+        pending.push_back((right, first + 1, depth + 1));
     }
+    Some((Sign::NowhereNegative, work))
 }
 
 /// The halves at the middle of the `s`-interval by de Casteljau's algorithm on every row. Sums are taken
 /// instead of means: `scale` gets a final one with the degree and with its level `r`, at which it is `2^r`
 /// times the true coefficient.
-fn halve(
-    mut rows: Vec<Vec<BigInt>>,
-    scale: impl Fn(BigInt, usize, usize) -> BigInt,
-) -> (Vec<Vec<BigInt>>, Vec<Vec<BigInt>>) {
+fn halve<T: Clone + Default + for<'a> AddAssign<&'a T>>(
+    mut rows: Vec<Vec<T>>,
+    scale: impl Fn(T, usize, usize) -> T,
+) -> (Vec<Vec<T>>, Vec<Vec<T>>) {
     let mut left_rows = Vec::with_capacity(rows.len());
     for row in &mut rows {
         let degree = row.len() - 1;

@@ -4,6 +4,7 @@
 //! on the lattice — makes all coefficients of the margin vanish together, and no amount of
 //! subdivision decides the sign of a touching zero. Taking the common square out does.
 
+use crate::exact::cosine_series::CosineSeries;
 use crate::exact::modular::{PrimeField, Reconstruction};
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer};
@@ -33,6 +34,51 @@ pub fn common_square_root(polynomials: &[Polynomial<Rational>]) -> Polynomial<Ra
         };
     }
     square_root_part(common).unwrap_or_else(Polynomial::one)
+}
+
+/// Whether cosine series, as polynomials in `cos φ`, certainly have no factor in common: they then have none modulo a prime that
+/// does not divide the leading coefficient of the first.
+pub(crate) fn have_no_common_factor(series: &[CosineSeries<BigInt>]) -> bool {
+    let field = PrimeField::largest();
+    let mut images = series.iter().map(|series| {
+        let values: Vec<u64> = series.coefficients().iter().map(|v| field.embed(v)).collect();
+        polynomial_modulo(&values, &field)
+    });
+    let Some(first) = images.next() else { return false };
+    if first.len() != series[0].coefficients().len() || first.is_empty() {
+        return false;
+    }
+    images.fold(first, |common, image| divisor_modulo(common, image, &field)).len() == 1
+}
+
+/// Twice a cosine series as a polynomial in `y = 2 cos φ`, modulo a prime: Clenshaw's recurrence `b_m = r_m + y b_{m+1} − b_{m+2}`.
+fn polynomial_modulo(series: &[u64], field: &PrimeField) -> Vec<u64> {
+    let Some((&constant, rest)) = series.split_first() else { return Vec::new() };
+    let double = |value: u64| field.add(value, value);
+    let (mut first, mut second): (Vec<u64>, Vec<u64>) = (Vec::new(), Vec::new());
+    for &value in rest.iter().rev() {
+        // The new `first` takes the place of the old `second`.
+        let mut next = std::mem::take(&mut second);
+        next.iter_mut().for_each(|value| *value = field.subtract(0, *value));
+        next.resize(first.len() + 1, 0);
+        next[0] = field.add(next[0], value);
+        for (target, &value) in next[1..].iter_mut().zip(&first) {
+            *target = field.add(*target, value);
+        }
+        second = std::mem::replace(&mut first, next);
+    }
+    let mut sum = vec![0; first.len() + 1];
+    sum[0] = double(constant);
+    for (target, &value) in sum[1..].iter_mut().zip(&first) {
+        *target = field.add(*target, value);
+    }
+    for (target, &value) in sum.iter_mut().zip(&second) {
+        *target = field.subtract(*target, double(value));
+    }
+    while sum.last() == Some(&0) {
+        sum.pop();
+    }
+    sum
 }
 
 /// `H = f_2 f_3 f_4² f_5² …` of the decomposition `p = f_1 f_2² f_3³ …`.
@@ -165,6 +211,23 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn series_without_a_common_factor_are_told_as_their_polynomials_are(
+            factor in prop::collection::vec(-9i64..9, 0..3),
+            a in prop::collection::vec(-9i64..9, 1..5),
+            b in prop::collection::vec(-9i64..9, 1..5),
+        ) {
+            let factor = if factor.is_empty() { polynomial(vec![1]) } else { polynomial(factor) };
+            let both = [factor.clone() * polynomial(a), factor * polynomial(b)];
+            prop_assume!(both.iter().all(|one| !one.is_zero()));
+            let series = both.each_ref().map(|one| {
+                let integers = one.map(|value| value.numer().clone());
+                CosineSeries::from_powers_of_s(&integers, 8)
+            });
+            let common = greatest_common_divisor(&both[0], &both[1]).unwrap();
+            prop_assert_eq!(have_no_common_factor(&series), common.degree() == Some(0));
+        }
+
         #[test]
         fn planted_squares_come_out(
             planted in prop::collection::vec(-30i64..30, 1..5),

@@ -1,10 +1,16 @@
 //! Cosine series known exactly, or within a stated distance of the true function.
 
 use crate::exact::cosine_series::CosineSeries;
-use crate::exact::rational::{Rational, common_denominator, integer, numerator_over, to_f64};
+use crate::exact::rational::{
+    Rational, common_denominator, integer, least_multiple, numerator_over, quotient_to_f64,
+};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::ops::{Add, AddAssign, Mul};
+
+/// Numerators below this power of two have products with room to be added up in an `i128`.
+const SHORT_BITS: u32 = 56;
 
 /// `Σ_m r_m cos mφ` with rational `r_m`, and a bound on how far the true function may be at any phase.
 ///
@@ -85,7 +91,8 @@ impl EnclosedSeries {
 
     /// Each coefficient correctly rounded.
     pub fn compile(&self) -> CosineSeries<f64> {
-        self.center().map(to_f64)
+        let rounded = self.numerators.iter().map(|value| quotient_to_f64(value, &self.denominator));
+        CosineSeries::new(rounded.collect())
     }
 
     /// The sum of the moduli of the coefficients in the middle.
@@ -96,7 +103,7 @@ impl EnclosedSeries {
 
     /// The sum of two.
     pub fn plus(&self, other: &Self) -> Self {
-        let denominator = self.denominator.lcm(&other.denominator);
+        let denominator = least_multiple(&self.denominator, &other.denominator);
         let (left, right) = (&denominator / &self.denominator, &denominator / &other.denominator);
         let length = self.numerators.len().max(other.numerators.len());
         let zero = BigInt::zero();
@@ -111,15 +118,12 @@ impl EnclosedSeries {
 
     /// The product of two: `2 cos a cos b = cos(a + b) + cos(a − b)`.
     pub fn times(&self, other: &Self) -> Self {
-        let length = (self.numerators.len() + other.numerators.len()).saturating_sub(1);
-        let mut numerators = vec![BigInt::zero(); length];
-        for (a, left) in self.numerators.iter().enumerate() {
-            for (b, right) in other.numerators.iter().enumerate() {
-                let product = left * right;
-                numerators[a.abs_diff(b)] += &product;
-                numerators[a + b] += product;
+        let numerators = match (short(&self.numerators), short(&other.numerators)) {
+            (Some(left), Some(right)) => {
+                product(&left, &right).into_iter().map(BigInt::from).collect()
             }
-        }
+            _ => product(&self.numerators, &other.numerators),
+        };
         let radius = if self.is_exact() && other.is_exact() {
             Rational::zero()
         } else {
@@ -131,16 +135,13 @@ impl EnclosedSeries {
 
     /// The product with itself.
     pub fn squared(&self) -> Self {
-        let mut numerators = vec![BigInt::zero(); (2 * self.numerators.len()).saturating_sub(1)];
-        for (a, left) in self.numerators.iter().enumerate() {
-            let square = left * left;
-            numerators[0] += &square;
-            numerators[2 * a] += square;
-            for (b, right) in self.numerators.iter().enumerate().take(a) {
-                let product = (left * right) << 1;
-                numerators[a - b] += &product;
-                numerators[a + b] += product;
-            }
+        let numerators = match short(&self.numerators) {
+            Some(values) => square(&values).into_iter().map(BigInt::from).collect(),
+            None => square(&self.numerators),
+        };
+        if self.is_exact() {
+            let denominator = BigInt::from(2) * &self.denominator * &self.denominator;
+            return Self { numerators, denominator, radius: Rational::zero() };
         }
         let radius = (self.norm() * integer(2) + &self.radius) * &self.radius;
         let denominator = BigInt::from(2) * &self.denominator * &self.denominator;
@@ -170,6 +171,55 @@ impl EnclosedSeries {
             radius: &self.radius * factor.abs(),
         }
     }
+}
+
+/// Numbers whose products can be added up in machine integers, if they are such.
+fn short(numerators: &[BigInt]) -> Option<Vec<i128>> {
+    let fit = |value: &BigInt| value.to_i64().filter(|v| v.unsigned_abs() < 1 << SHORT_BITS);
+    let room = numerators.len() < 1 << (125 - 2 * SHORT_BITS);
+    numerators
+        .iter()
+        .map(|value| fit(value).map(i128::from))
+        .collect::<Option<_>>()
+        .filter(|_| room)
+}
+
+/// `2 Σ_a l_a cos aφ Σ_b r_b cos bφ`.
+fn product<T>(left: &[T], right: &[T]) -> Vec<T>
+where
+    T: Clone + Zero + AddAssign<T> + for<'a> AddAssign<&'a T>,
+    for<'a> &'a T: Mul<&'a T, Output = T>,
+{
+    let mut sums = vec![T::zero(); (left.len() + right.len()).saturating_sub(1)];
+    for (a, left) in left.iter().enumerate() {
+        for (b, right) in right.iter().enumerate() {
+            let product = left * right;
+            sums[a.abs_diff(b)] += &product;
+            sums[a + b] += product;
+        }
+    }
+    sums
+}
+
+/// `2 (Σ_a v_a cos aφ)²`.
+fn square<T>(values: &[T]) -> Vec<T>
+where
+    T: Clone + Zero + Add<T, Output = T> + AddAssign<T> + for<'a> AddAssign<&'a T>,
+    for<'a> &'a T: Mul<&'a T, Output = T>,
+{
+    let mut sums = vec![T::zero(); (2 * values.len()).saturating_sub(1)];
+    for (a, left) in values.iter().enumerate() {
+        let square = left * left;
+        sums[0] += &square;
+        sums[2 * a] += square;
+        for (b, right) in values.iter().enumerate().take(a) {
+            let product = left * right;
+            let twice = product.clone() + product;
+            sums[a - b] += &twice;
+            sums[a + b] += twice;
+        }
+    }
+    sums
 }
 
 #[cfg(test)]

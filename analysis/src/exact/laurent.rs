@@ -12,9 +12,8 @@ pub(crate) use divisor::common_divisor;
 pub use divisor::greatest_common_divisor;
 pub use print::latex;
 
-use crate::exact::rational::Rational;
+use crate::exact::rational::{Rational, greatest_divisor};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -227,7 +226,13 @@ impl Laurent {
 
     /// The greatest integer that divides all coefficients; 0 for zero.
     pub fn integer_content(&self) -> BigInt {
-        self.terms.iter().fold(BigInt::zero(), |all, (_, value)| all.gcd(value))
+        let values = self.terms.iter().map(|(_, value)| value);
+        values.fold(
+            BigInt::zero(),
+            |all, value| {
+                if all.is_one() { all } else { greatest_divisor(&all, value) }
+            },
+        )
     }
 
     /// Divided by the [content](Self::integer_content), and by the least power of every variable.

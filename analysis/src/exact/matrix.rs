@@ -189,6 +189,24 @@ mod tests {
         }
 
         #[test]
+        fn unknowns_leave_where_an_entry_is_a_unit(entries in prop::collection::vec(entry(), 16), name in 0usize..17) {
+            let mut whole: Vec<Vec<Laurent>> = entries.chunks(4).map(<[Laurent]>::to_vec).collect();
+            // A parameter is no unit.
+            if let Some(entry) = whole.iter_mut().flatten().nth(name) {
+                *entry = Laurent::variable(Variable::name(0));
+            }
+            let full = Matrix::new(whole.clone()).determinant();
+            let mut smaller = Matrix::new(whole.clone());
+            let left = smaller.substitute(&[1, 3]);
+            prop_assert!(left.contains(&0) && left.contains(&2) && smaller.size() == left.len());
+            let is_unit = |p: &Laurent| p.as_monomial().is_some_and(|(e, _)| e[4..].iter().all(|&e| e == 0));
+            let any = |column: usize| whole.iter().any(|row| is_unit(&row[column]));
+            prop_assert_eq!(left.len() < 4, any(1) || any(3));
+            let (found, full) = (smaller.determinant().primitive(), full.primitive());
+            prop_assert!(found == full || found == -full);
+        }
+
+        #[test]
         fn a_product_has_the_product_of_the_determinants(
             a in prop::collection::vec(entry(), 9), b in prop::collection::vec(entry(), 9)
         ) {

@@ -29,6 +29,11 @@ pub struct PrimeField {
 }
 
 impl PrimeField {
+    /// Modulo the largest prime that is used, of Mersenne.
+    pub fn largest() -> Self {
+        Self::new(LARGEST)
+    }
+
     /// One field for each prime below `2^61`, the largest first.
     pub fn descending() -> impl Iterator<Item = Self> {
         (0..).map(|step| Self::new(LARGEST - 2 * step)).filter(Self::is_prime)
@@ -226,6 +231,26 @@ mod tests {
             if y != 0 {
                 prop_assert_eq!(field.multiply(field.inverse(y), y), field.one());
             }
+        }
+
+        #[test]
+        fn both_remainders_are_multiples_of_one_another(
+            a in prop::collection::vec(0i64..9, 1..8), b in prop::collection::vec(0i64..9, 0..5), last in 1i64..9
+        ) {
+            let field = PrimeField::descending().next().unwrap();
+            let embedded = |values: &[i64]| -> Vec<u64> {
+                values.iter().map(|&value| field.embed(&value.into())).collect()
+            };
+            let (mut a, b) = (embedded(&a), embedded(&[&b[..], &[last]].concat()));
+            while a.last() == Some(&0) {
+                a.pop();
+            }
+            let power = (a.len() + 1).saturating_sub(b.len());
+            let factor = field.power(b[b.len() - 1], power as u64);
+            let plain = field.remainder(a.clone(), &b);
+            let scaled: Vec<u64> = plain.iter().map(|&value| field.multiply(value, factor)).collect();
+            prop_assert_eq!(field.pseudo_remainder(a, &b), scaled);
+            prop_assert!(plain.len() < b.len() && plain.last() != Some(&0));
         }
 
         #[test]

@@ -3,7 +3,9 @@
 
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
+use num_traits::float::FloatCore;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
 use thiserror::Error;
 
 /// An exact fraction of big integers in lowest terms.
@@ -80,7 +82,7 @@ fn parse_decimal(text: &str) -> Result<Rational, ParseRationalError> {
     let signed = if sign == Sign::Minus { -magnitude } else { magnitude };
     let shift = exponent - fraction.len() as i64;
     let power = BigInt::from(10).pow(shift.unsigned_abs() as u32);
-    Ok(if shift < 0 { Rational::new(signed, power) } else { Rational::from(signed * power) })
+    Ok(if shift < 0 { reduced(signed, power) } else { Rational::from(signed * power) })
 }
 
 /// The fraction `numerator / denominator`.
@@ -106,7 +108,46 @@ pub fn integer(value: i64) -> Rational {
 /// assert_eq!(numerator_over(&values[1], &common), (-9).into());
 /// ```
 pub fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Rational>) -> BigInt {
-    values.into_iter().fold(BigInt::one(), |common, value| common.lcm(value.denom()))
+    values.into_iter().fold(BigInt::one(), |common, value| least_multiple(&common, value.denom()))
+}
+
+/// The greatest common divisor: Euclid's algorithm until machine integers hold both, which go on by shifts.
+pub(crate) fn greatest_divisor(left: &BigInt, right: &BigInt) -> BigInt {
+    let (mut large, mut small) = (left.abs(), right.abs());
+    if large < small {
+        std::mem::swap(&mut large, &mut small);
+    }
+    loop {
+        if let (Some(a), Some(b)) = (large.to_u64(), small.to_u64()) {
+            return a.gcd(&b).into();
+        }
+        if let (Some(a), Some(b)) = (large.to_u128(), small.to_u128()) {
+            return a.gcd(&b).into();
+        }
+        if small.is_zero() {
+            return large;
+        }
+        let rest = large % &small;
+        large = std::mem::replace(&mut small, rest);
+    }
+}
+
+/// The least common multiple of two positive numbers.
+pub(crate) fn least_multiple(left: &BigInt, right: &BigInt) -> BigInt {
+    if left.is_one() || left == right {
+        return right.clone();
+    }
+    left / greatest_divisor(left, right) * right
+}
+
+/// `numerator / denominator` in lowest terms.
+pub(crate) fn reduced(numerator: BigInt, denominator: BigInt) -> Rational {
+    let divisor = greatest_divisor(&numerator, &denominator);
+    let divisor = if denominator.is_negative() { -divisor } else { divisor };
+    if divisor.is_one() {
+        return Rational::new_raw(numerator, denominator);
+    }
+    Rational::new_raw(numerator / &divisor, denominator / &divisor)
 }
 
 /// The numerator of `value` over `denominator`, which is a multiple of its own: no gcd is taken.
@@ -156,7 +197,7 @@ fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
 pub fn to_f64_below(value: &Rational) -> f64 {
     let nearest = to_f64(value);
     match from_f64(nearest) {
-        Some(exact) if exact > *value => nearest.next_down(),
+        Some(exact) if compare(&exact, value).is_gt() => nearest.next_down(),
         None if nearest > 0.0 => f64::MAX,
         _ => nearest,
     }
@@ -170,7 +211,37 @@ pub fn to_f64_above(value: &Rational) -> f64 {
 
 /// The exact value of a finite `f64`; `None` for infinities and NaN.
 pub fn from_f64(value: f64) -> Option<Rational> {
-    Rational::from_float(value)
+    let (mantissa, exponent, sign) = value.is_finite().then(|| value.integer_decode())?;
+    Some(dyadic(BigInt::from(mantissa) * sign, exponent.into()))
+}
+
+/// `value · 2^exponent` in lowest terms, without a general gcd.
+pub(crate) fn dyadic(value: BigInt, exponent: i64) -> Rational {
+    let Some(twos) = value.trailing_zeros() else { return Rational::zero() };
+    if exponent >= 0 {
+        return Rational::from(value << exponent.unsigned_abs());
+    }
+    let twos = twos.min(exponent.unsigned_abs());
+    Rational::new_raw(value >> twos, BigInt::one() << (exponent.unsigned_abs() - twos))
+}
+
+/// The product, without a general gcd where both denominators are powers of two.
+pub(crate) fn product(left: &Rational, right: &Rational) -> Rational {
+    match (twos_below(left), twos_below(right)) {
+        (Some(one), Some(other)) => dyadic(left.numer() * right.numer(), -(one + other)),
+        _ => left * right,
+    }
+}
+
+/// The `k` of a denominator `2^k`.
+fn twos_below(value: &Rational) -> Option<i64> {
+    let twos = value.denom().trailing_zeros()?;
+    (twos + 1 == value.denom().bits()).then_some(twos as i64)
+}
+
+/// Which of two is the larger, by products: fractions compare themselves by continued fractions.
+pub(crate) fn compare(left: &Rational, right: &Rational) -> Ordering {
+    (left.numer() * right.denom()).cmp(&(right.numer() * left.denom()))
 }
 
 /// Fractions below `√lower` and above `√upper` for `0 ≤ lower ≤ upper`, each within about `2^−bits` of it.
@@ -316,6 +387,44 @@ mod tests {
         }
     }
 
+    proptest! {
+        #[test]
+        fn divisors_and_multiples_are_those_of_the_library(
+            a in any::<i128>(), b in any::<i128>(), shared in any::<i64>(), short in any::<i32>(),
+        ) {
+            let (a, b, shared) = (BigInt::from(a), BigInt::from(b), BigInt::from(shared));
+            let short = BigInt::from(short);
+            for (left, right) in [
+                (&a * &shared * &shared, &b * &shared),
+                (&a * &b, &shared * &short),
+                (short.clone(), &short * &shared),
+                (BigInt::zero(), a.clone()),
+                (b.clone(), BigInt::one()),
+            ] {
+                prop_assert_eq!(greatest_divisor(&left, &right), left.gcd(&right));
+                prop_assert_eq!(greatest_divisor(&right, &left), left.gcd(&right));
+                if !right.is_zero() {
+                    let fraction = Rational::new(left.clone(), right.clone());
+                    prop_assert_eq!(reduced(left.clone(), right.clone()), fraction);
+                }
+                let (left, right) = (left.abs() + 1, right.abs() + 1);
+                prop_assert_eq!(least_multiple(&left, &right), left.lcm(&right));
+            }
+        }
+
+        #[test]
+        fn powers_of_two_are_divided_out_by_shifts(
+            a in any::<i64>(), b in any::<i64>(), twos in 0i64..90, more in 0i64..90, odd in 1i64..9,
+        ) {
+            let (left, right) = (dyadic(a.into(), -twos), dyadic(b.into(), -more));
+            prop_assert_eq!(&left, &Rational::new(a.into(), BigInt::one() << twos));
+            for right in [right, ratio(b, odd)] {
+                prop_assert_eq!(product(&left, &right), &left * &right);
+                prop_assert_eq!(compare(&left, &right), left.cmp(&right));
+            }
+        }
+    }
+
     #[test]
     fn refuses_what_is_no_number() {
         for text in
@@ -334,7 +443,37 @@ mod tests {
         assert_eq!(to_f64(&huge), 10.0);
         assert_eq!(to_f64(&parse("1e-300").unwrap()), 1e-300);
         assert_eq!(to_f64(&parse("1e308").unwrap()), 1e308);
-        assert_eq!(to_f64_below(&parse("1e309").unwrap()), f64::MAX);
+        let beyond = parse("1e309").unwrap();
+        assert_eq!((to_f64_below(&beyond), to_f64_above(&beyond)), (f64::MAX, f64::INFINITY));
+        let below = -beyond;
+        assert_eq!((to_f64_below(&below), to_f64_above(&below)), (f64::NEG_INFINITY, f64::MIN));
+        assert_eq!(to_f64_above(&parse("-1e-400").unwrap()).to_bits(), 0);
+    }
+
+    #[test]
+    fn numbers_are_read_up_to_their_longest() {
+        assert!(
+            parse(&"9".repeat(120)).is_ok() && parse("1e400").is_ok() && parse("1e-400").is_ok()
+        );
+        for text in ["1e401", "1e-401"] {
+            assert!(matches!(parse(text), Err(ParseRationalError::OutOfRange(_))), "{text}");
+        }
+        // On both sides of where powers of ten begin.
+        for (text, digits, printed) in [
+            ("0.0001", 2, "0.00010"),
+            ("0.00009", 2, "9.0e-5"),
+            ("0.00009", 1, "9e-5"),
+            ("12345", 2, "12000"),
+            ("123456", 2, "1.2e5"),
+            ("1234", 2, "1200"),
+            ("12", 2, "12"),
+            ("12.34", 3, "12.3"),
+            ("1e5", 3, "100000"),
+            ("1e6", 3, "1.00e6"),
+        ] {
+            let found = decimal_below(&parse(text).unwrap(), digits);
+            assert!(found == printed, "{text}: {found}");
+        }
     }
 
     proptest! {
@@ -377,6 +516,22 @@ mod tests {
             let simplest = simplest_between(&lower, &upper);
             prop_assert!(lower <= simplest && simplest <= upper);
             prop_assert!(simplest.denom() <= lower.denom() && simplest.denom() <= upper.denom());
+            for denominator in (1..60).take_while(|n| BigInt::from(*n) < *simplest.denom()) {
+                let n = integer(denominator);
+                prop_assert!((&upper * &n).floor() < (&lower * &n).ceil());
+            }
+            let magnitude = simplest.abs();
+            prop_assert!(magnitude < integer(1) || &magnitude - integer(1) < lower.abs().min(upper.abs()) || simplest.is_zero());
+        }
+
+        #[test]
+        fn square_roots_lie_between(a in 0i64..1000, b in 1i64..1000, more in 0i64..3, bits in 1u32..80) {
+            let (low, high) = (ratio(a, b), ratio(a, b) + integer(more));
+            let (lower, upper) = square_root_enclosure(&low, &high, bits);
+            prop_assert!(&lower * &lower <= low && high <= &upper * &upper && !lower.is_negative());
+            let unit = ratio(1, 2).pow(bits as i32);
+            let (next, before) = (&lower + &unit, &upper - &unit);
+            prop_assert!(low < &next * &next && (before.is_negative() || &before * &before <= high));
         }
     }
 }

@@ -2,7 +2,9 @@
 //! bisection, recognised as fractions, and refined from a guess by Newton's method.
 
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, from_f64, integer, ratio, simplest_between};
+use crate::exact::rational::{
+    Rational, compare, dyadic, from_f64, integer, product, ratio, simplest_between,
+};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -162,7 +164,7 @@ pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Optio
         .map(|value| if cut >= 0 { value >> cut as u64 } else { value << (-cut) as u64 })
         .collect();
     let unit = |value: BigInt| value >> shift;
-    let mut root = (from_f64(guess)? * power_of_two(shift as i64)).to_integer();
+    let mut root = product(&from_f64(guess)?, &power_of_two(shift as i64)).to_integer();
     // The digits double in each step, from about ten bits on.
     for _ in 0..(bits / 5).max(2).ilog2() + 2 {
         let (mut value, mut slope) = (BigInt::zero(), BigInt::zero());
@@ -180,9 +182,11 @@ pub(crate) fn root_near(coefficients: &[BigInt], guess: f64, bits: u32) -> Optio
     let coarse = (i64::from(bits) - 8).max(0) as u64;
     let (lower, upper) = ((&root - &margin) >> coarse, ((&root + &margin) >> coarse) + 1);
     let scale = coarse as i64 - shift as i64;
-    let end = |value: BigInt| times_power_of_two(value, scale);
+    let end = |value: BigInt| dyadic(value, scale);
+    let root_width = &upper - &lower;
     let (lower, upper) = (end(lower), end(upper));
-    if &upper - &lower > &upper * power_of_two(4 - i64::from(bits)) {
+    let width = dyadic(root_width, scale);
+    if compare(&width, &product(&upper, &power_of_two(4 - i64::from(bits)))).is_gt() {
         // Much smaller than the guess: the unit was too coarse.
         return None;
     }
@@ -206,20 +210,9 @@ fn sign_of_value(coefficients: &[BigInt], point: &Rational) -> Sign {
     value.sign()
 }
 
-/// `value · 2^exponent` in lowest terms, without a general gcd.
-fn times_power_of_two(value: BigInt, exponent: i64) -> Rational {
-    let Some(twos) = value.trailing_zeros() else { return Rational::zero() };
-    if exponent >= 0 {
-        return Rational::from(value << exponent.unsigned_abs());
-    }
-    let twos = twos.min(exponent.unsigned_abs());
-    Rational::new_raw(value >> twos, BigInt::one() << (exponent.unsigned_abs() - twos))
-}
-
 /// `2^exponent`.
 pub(crate) fn power_of_two(exponent: i64) -> Rational {
-    let magnitude = Rational::from(BigInt::one() << exponent.unsigned_abs());
-    if exponent < 0 { magnitude.recip() } else { magnitude }
+    dyadic(BigInt::one(), exponent)
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ pub(crate) use chart::{Origin, separating_axis, vanishing_axes};
 pub use sign::{CubeSign, sign_on_cube};
 pub(crate) use sign::{Cut, cuts_of_cube};
 
-use crate::exact::rational::Rational;
+use crate::exact::rational::{Rational, greatest_divisor};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
@@ -173,7 +173,7 @@ impl Tensor {
 
     /// Without room for powers that do not occur, and without the integer that all coefficients share.
     pub(crate) fn trimmed(&self) -> Self {
-        let content = self.values.iter().fold(BigInt::zero(), |all, value| all.gcd(value));
+        let content = content(&self.values);
         if content.is_zero() {
             return Self::zero(vec![0; self.dimension()]);
         }
@@ -302,6 +302,22 @@ impl Bernstein {
 
 fn binomial(n: usize, k: usize) -> BigInt {
     if k > n { BigInt::zero() } else { num_integer::binomial(BigInt::from(n), BigInt::from(k)) }
+}
+
+/// The greatest integer that divides all: powers of two by themselves, as cubes are halved, and the rest until nothing is shared.
+fn content(values: &[BigInt]) -> BigInt {
+    let Some(twos) = values.iter().filter_map(BigInt::trailing_zeros).min() else {
+        return BigInt::zero();
+    };
+    let mut odd = BigInt::zero();
+    for value in values.iter().filter(|value| !value.is_zero()) {
+        odd = greatest_divisor(&odd, value);
+        odd >>= odd.trailing_zeros().unwrap_or(0);
+        if odd.is_one() {
+            break;
+        }
+    }
+    odd << twos
 }
 
 #[cfg(test)]

@@ -72,12 +72,13 @@ impl LatticeWeights {
         // A lattice point exactly on the edge of the support belongs to it.
         let reach = (kernel.exact_support() * ratio).floor().to_integer().to_i64();
         let reach = reach.expect("a ratio of at most 50 gives a small integer");
-        let distances = (0..=reach).map(|k| integer(k) / ratio);
-        let (square, cube) = (ratio * ratio, ratio * ratio * ratio);
+        let inverse = ratio.recip();
+        let (square, cube) = (inverse.pow(2), inverse.pow(3));
         let mut weights = match kernel.polynomial() {
             Some(shape) => {
-                let curvature = distances.clone().map(|q| shape.exact(&q, 2) / &cube).collect();
-                let gradient = distances.skip(1).map(|q| -shape.exact(&q, 1) / &square).collect();
+                let at = |k: i64, order, factor| shape.exact_at(k, &inverse, order, factor);
+                let curvature = (0..=reach).map(|k| at(k, 2, &cube)).collect();
+                let gradient = (1..=reach).map(|k| -at(k, 1, &square)).collect();
                 Self { gradient, curvature, radius: Rational::zero() }
             }
             None => gaussian(reach, ratio),

@@ -2,7 +2,7 @@
 
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
-    Rational, common_denominator, integer, numerator_over, ratio, to_f64,
+    Rational, common_denominator, integer, numerator_over, ratio, reduced, to_f64,
 };
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -105,17 +105,30 @@ impl PiecewisePolynomial {
     /// The exact `order`-th derivative at `q ≥ 0`, `order ≤ 2`, at a knot that of the inner piece (the shapes here
     /// are at least twice continuously differentiable for `q > 0`).
     pub fn exact(&self, q: &Rational, order: usize) -> Rational {
-        let Some(piece) = self.pieces.iter().find(|piece| *q <= piece.end) else {
+        self.exact_at(1, q, order, &Rational::one())
+    }
+
+    /// [`exact`](Self::exact) at `q = k spacing`, times a factor: one fraction, reduced once.
+    pub(crate) fn exact_at(
+        &self,
+        k: i64,
+        spacing: &Rational,
+        order: usize,
+        factor: &Rational,
+    ) -> Rational {
+        let (n, d) = (spacing.numer() * k, spacing.denom());
+        let reaches = |piece: &&Piece| &n * piece.end.denom() <= piece.end.numer() * d;
+        let Some(piece) = self.pieces.iter().find(reaches) else {
             return Rational::zero();
         };
         // Σ a_i (n/d)^i = Σ a_i n^i d^(m−i) / d^m
         let (coefficients, denominator) = &piece.exact[order];
         let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
         for coefficient in coefficients.iter().rev() {
-            sum = sum * q.numer() + coefficient * &power;
-            power *= q.denom();
+            sum = sum * &n + coefficient * &power;
+            power *= d;
         }
-        Rational::new(sum * q.denom(), power * denominator)
+        reduced(sum * d * factor.numer(), power * denominator * factor.denom())
     }
 
     /// `∫_0^support q^power w(q) dq`, exactly.

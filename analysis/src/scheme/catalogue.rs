@@ -3,9 +3,10 @@
 use crate::exact::laurent::Laurent;
 use crate::exact::rational::{Rational, parse as parse_number};
 use crate::kernel::Kernel;
+use crate::scheme::equation_text::EquationText;
 use crate::scheme::integrator::{Integrator, one_line};
 use crate::scheme::kernel_function::KernelLattice;
-use crate::scheme::language::syntax::{Equations, Expression, Node};
+use crate::scheme::language::syntax::{Expression, Node};
 use crate::scheme::language::{LanguageError, parse, parse_expression};
 use crate::scheme::linear::constant;
 use crate::scheme::lines::Lines;
@@ -26,8 +27,8 @@ pub struct SchemeFile {
     pub name: String,
     /// Its name for titles and captions.
     pub title: String,
-    /// The equations, read.
-    pub equations: Equations,
+    /// The equations; those of the catalogue are read when they are first asked for.
+    pub equations: EquationText,
     /// The parameter whose limit is sought, if the file says so.
     pub parameter: Option<String>,
     /// The exponent of one exact step: `-I*C*phi`.
@@ -133,6 +134,13 @@ impl SchemeFile {
     /// # Errors
     /// When it is no scheme.
     pub fn from_toml(text: &str) -> Result<Self, SchemeFileError> {
+        Self::with_equations(text, |equations| Ok(parse(&equations)?.into()))
+    }
+
+    fn with_equations(
+        text: &str,
+        read: impl Fn(String) -> Result<EquationText, SchemeFileError>,
+    ) -> Result<Self, SchemeFileError> {
         let file: File =
             toml::from_str(text).map_err(|error| SchemeFileError::Form(one_line(&error)))?;
         let mut parameters = BTreeMap::new();
@@ -150,7 +158,7 @@ impl SchemeFile {
         Ok(Self {
             title: file.title.unwrap_or_else(|| file.name.clone()),
             name: file.name,
-            equations: parse(&file.equations)?,
+            equations: read(file.equations)?,
             parameter: file.parameter,
             exact: file.exact,
             source: file.source,
@@ -294,7 +302,8 @@ fn read_schemes(files: &[(&str, &str)]) -> Vec<SchemeFile> {
     files
         .iter()
         .map(|(name, text)| {
-            SchemeFile::from_toml(text).unwrap_or_else(|error| panic!("{name}.toml: {error}"))
+            SchemeFile::with_equations(text, |equations| Ok(EquationText::unread(equations)))
+                .unwrap_or_else(|error| panic!("{name}.toml: {error}"))
         })
         .collect()
 }
@@ -345,17 +354,23 @@ pub fn integrators() -> &'static [Integrator] {
 
 /// A scheme by name.
 pub fn scheme(name: &str) -> Option<&'static SchemeFile> {
-    schemes().iter().find(|scheme| spells(name, &scheme.name))
+    named(schemes(), name)
 }
 
 /// A space by name.
 pub fn space(name: &str) -> Option<&'static SchemeFile> {
-    spaces().iter().find(|space| spells(name, &space.name))
+    named(spaces(), name)
 }
 
 /// A particle method by name.
 pub fn method(name: &str) -> Option<&'static SchemeFile> {
-    methods().iter().find(|method| spells(name, &method.name))
+    named(methods(), name)
+}
+
+/// The file of this very name, else the one whose name it spells.
+fn named<'a>(files: &'a [SchemeFile], name: &str) -> Option<&'a SchemeFile> {
+    let exactly = files.iter().find(|file| file.name == name);
+    exactly.or_else(|| files.iter().find(|file| spells(name, &file.name)))
 }
 
 impl Integrator {

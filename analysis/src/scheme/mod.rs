@@ -2,6 +2,7 @@
 
 pub mod catalogue;
 mod constants;
+mod equation_text;
 mod integrator;
 mod kernel_function;
 pub mod language;
@@ -15,6 +16,7 @@ mod step;
 #[cfg(test)]
 pub(crate) mod testing;
 
+pub use equation_text::EquationText;
 pub use integrator::{Coefficient, Integrator, IntegratorFileError, IntegratorForm, Nystrom};
 pub use kernel_function::KernelLattice;
 pub use lattice_method::{COURANT, LatticeMethod};

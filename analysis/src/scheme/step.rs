@@ -3,7 +3,7 @@
 use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::laurent::{Laurent, VARIABLES, Variable};
 use crate::exact::matrix::{MOST_ROWS, Matrix};
-use crate::exact::rational::Rational;
+use crate::exact::rational::{Rational, greatest_divisor};
 use crate::kernel::lattice::RatioOutOfRange;
 use crate::scheme::kernel_function::KernelLattice;
 use crate::scheme::language::syntax::Equations;
@@ -300,7 +300,11 @@ pub(crate) fn denominators_at(
 /// The centre of a cosine series as a Laurent polynomial over an integer.
 pub(crate) fn laurent_of(series: &EnclosedSeries) -> (Laurent, Laurent) {
     let shorter = |content: BigInt, value: &BigInt| {
-        if content.is_one() { content } else { content.gcd(value) }
+        if content.is_one() || value.is_multiple_of(&content) {
+            content
+        } else {
+            greatest_divisor(&content, value)
+        }
     };
     let content = series.numerators().iter().fold(series.denominator().clone(), shorter);
     let terms = series.numerators().iter().enumerate().flat_map(|(order, value)| {

@@ -29,15 +29,15 @@ pub(super) fn sampled_unstable_set(
     max_parameter: f64,
 ) -> Vec<UnstableInterval> {
     let mut intervals = Vec::new();
-    let mut powers = Vec::new();
-    for phase in phases {
-        margin.powers_at(phase, &mut powers);
-        for (from, to) in negative_intervals(&powers, max_parameter) {
-            intervals.push(UnstableInterval {
-                from: Critical { parameter: from, phase },
-                to: Critical { parameter: to, phase },
-            });
-        }
+    let phases: Vec<f64> = phases.collect();
+    let (all, powers) = (margin.powers_on(&phases), margin.powers());
+    let mut scratch = Scratch::default();
+    for (index, &phase) in phases.iter().enumerate() {
+        let found = scratch.negative_intervals(&all[index * powers..][..powers], max_parameter);
+        intervals.extend(found.iter().map(|&(from, to)| UnstableInterval {
+            from: Critical { parameter: from, phase },
+            to: Critical { parameter: to, phase },
+        }));
     }
     intervals.sort_by(|a, b| a.from.parameter.total_cmp(&b.from.parameter));
     let mut union: Vec<UnstableInterval> = Vec::new();
@@ -75,13 +75,14 @@ pub(super) fn refine(
     max_parameter: f64,
 ) -> Critical {
     let spacing = std::f64::consts::PI / (16 * margin.degree()).max(64) as f64;
-    let mut powers = Vec::new();
+    let (mut powers, mut scratch) = (Vec::new(), Scratch::default());
     // The end of the unstable interval at one phase that belongs to this guess: the one nearest to it.
     let mut end_at = |phase: f64| -> Option<f64> {
         margin.powers_at(phase, &mut powers);
-        negative_intervals(&powers, max_parameter)
-            .into_iter()
-            .map(|(from, to)| if is_start { from } else { to })
+        scratch
+            .negative_intervals(&powers, max_parameter)
+            .iter()
+            .map(|&(from, to)| if is_start { from } else { to })
             .min_by(|a, b| (a - guess.parameter).abs().total_cmp(&(b - guess.parameter).abs()))
     };
     let worse = |a: f64, b: f64| if is_start { a < b } else { a > b };
@@ -108,48 +109,61 @@ pub(super) fn refine(
 
 /// The open intervals within `[0, end]` where `Σ_j a_j t^j` is negative.
 pub(crate) fn negative_intervals(coefficients: &[f64], end: f64) -> Vec<(f64, f64)> {
-    let mut knots = vec![0.0];
-    knots.extend(roots(coefficients, end));
-    knots.push(end);
-    let value = |t: f64| coefficients.iter().rev().fold(0.0, |sum, a| sum * t + a);
-    let mut intervals: Vec<(f64, f64)> = Vec::new();
-    for pair in knots.windows(2) {
-        let (from, to) = (pair[0], pair[1]);
-        if to > from && value(0.5 * (from + to)) < 0.0 {
-            match intervals.last_mut() {
-                Some(last) if last.1 == from => last.1 = to,
-                _ => intervals.push((from, to)),
-            }
-        }
-    }
-    intervals
+    let mut scratch = Scratch::default();
+    scratch.negative_intervals(coefficients, end);
+    scratch.intervals
 }
 
-/// Roots in `(0, end)`, ascending: between the extrema, which are the roots of the derivative.
-fn roots(coefficients: &[f64], end: f64) -> Vec<f64> {
-    match coefficients {
-        [] | [_] => Vec::new(),
-        [constant, slope] => {
-            let root = -constant / slope;
-            if root > 0.0 && root < end { vec![root] } else { Vec::new() }
+/// Room for knots and intervals that is used again for every phase.
+#[derive(Default)]
+struct Scratch {
+    knots: Vec<f64>,
+    intervals: Vec<(f64, f64)>,
+}
+
+impl Scratch {
+    fn negative_intervals(&mut self, coefficients: &[f64], end: f64) -> &[(f64, f64)] {
+        let Self { knots, intervals } = self;
+        knots.clear();
+        knots.push(0.0);
+        push_roots(coefficients, end, knots);
+        knots.push(end);
+        intervals.clear();
+        let value = |t: f64| coefficients.iter().rev().fold(0.0, |sum, a| sum * t + a);
+        for pair in knots.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            if to > from && value(0.5 * (from + to)) < 0.0 {
+                match intervals.last_mut() {
+                    Some(last) if last.1 == from => last.1 = to,
+                    _ => intervals.push((from, to)),
+                }
+            }
         }
+        intervals
+    }
+}
+
+/// Adds the roots in `(0, end)`, ascending: between the extrema, which are the roots of the derivative.
+fn push_roots(coefficients: &[f64], end: f64, found: &mut Vec<f64>) {
+    let inside = |root: &f64| *root > 0.0 && *root < end;
+    match coefficients {
+        [] | [_] => {}
+        [constant, slope] => found.extend(Some(-constant / slope).filter(inside)),
         [constant, slope, leading] => {
             // The larger root without cancellation, the other from their product.
             let root = (slope * slope - 4.0 * leading * constant).sqrt();
             let sum = -0.5 * (slope + root.copysign(*slope));
-            let mut found = vec![sum / leading, constant / sum];
-            found.retain(|root| *root > 0.0 && *root < end);
-            found.sort_by(f64::total_cmp);
-            found
+            let (one, other) = (sum / leading, constant / sum);
+            let ordered = if other < one { [other, one] } else { [one, other] };
+            found.extend(ordered.into_iter().filter(inside));
         }
         _ => {
             let derivative: Vec<f64> =
                 (1..).zip(&coefficients[1..]).map(|(j, a)| f64::from(j) * a).collect();
             let value = |t: f64| coefficients.iter().rev().fold(0.0, |sum, a| sum * t + a);
             let mut knots = vec![0.0];
-            knots.extend(roots(&derivative, end));
+            push_roots(&derivative, end, &mut knots);
             knots.push(end);
-            let mut found = Vec::new();
             for pair in knots.windows(2) {
                 let (mut lower, mut upper) = (pair[0], pair[1]);
                 let sign = value(lower) < 0.0;
@@ -163,7 +177,6 @@ fn roots(coefficients: &[f64], end: f64) -> Vec<f64> {
                 }
                 found.push(upper);
             }
-            found
         }
     }
 }

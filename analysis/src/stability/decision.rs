@@ -3,7 +3,7 @@
 use super::DEFAULT_BITS;
 use super::at_value::DemandsAt;
 use super::conditions::{Conditions, Requirement};
-use super::inequality::{Inequality, margin_of};
+use super::inequality::{Inequality, margin_of, series_of};
 use super::intersection::{intersection, nowhere, unknown};
 use super::limit::Limit;
 use super::margin::Margin;
@@ -32,6 +32,8 @@ pub struct SearchPlan {
     pub budget: usize,
     /// Up to here everything is known to keep the conditions: a strict limit, when growth is permitted.
     pub known: Rational,
+    /// Whether the search ends where the first stretch of stable values does: all that a limit asks for.
+    pub first_only: bool,
 }
 
 /// What a scheme asks for.
@@ -64,6 +66,7 @@ impl Default for SearchPlan {
             bits: DEFAULT_BITS,
             budget: usize::MAX,
             known: Rational::zero(),
+            first_only: false,
         }
     }
 }
@@ -109,7 +112,49 @@ impl Step {
     /// # Errors
     /// When the parameter does not occur or another has no value.
     pub fn limit(&self, parameter: &str) -> Result<Limit, SchemeError> {
-        Ok(self.stable_set(parameter, &SearchPlan::default())?.limit())
+        self.limit_by(parameter, &SearchPlan::default())
+    }
+
+    /// [`limit`](Self::limit), looked for in one's own way: as of the [stable set](Self::stable_set), of which nothing beyond is searched.
+    ///
+    /// # Errors
+    /// As [`limit`](Self::limit).
+    pub fn limit_by(&self, parameter: &str, plan: &SearchPlan) -> Result<Limit, SchemeError> {
+        let plan = SearchPlan { first_only: true, ..plan.clone() };
+        Ok(self.stable_set(parameter, &plan)?.limit())
+    }
+
+    /// The limits for several permitted growths, ascending, each searched from the one before on.
+    ///
+    /// # Errors
+    /// As [`limit`](Self::limit).
+    pub fn limits_by(
+        &self,
+        parameter: &str,
+        plan: &SearchPlan,
+        growths: &[Rational],
+    ) -> Result<Vec<Limit>, SchemeError> {
+        let variable = self.sought(parameter)?;
+        // Of one multiplier the margins differ by a constant.
+        let gain = match self.dimension {
+            1 => squared_gain(&self.characteristic()?, self, &Rational::zero()),
+            _ => None,
+        };
+        let series =
+            gain.map(|gain| series_of(&gain.margin, &self.names, Some(variable), &gain.scale));
+        let mut plan = SearchPlan { first_only: true, ..plan.clone() };
+        let mut limits: Vec<Limit> = Vec::with_capacity(growths.len());
+        for growth in growths {
+            let demands = match &series {
+                Some(series) => Demands::All(vec![Inequality::of_gain(series.growing(growth))]),
+                None => self.inequalities(parameter, growth)?,
+            };
+            plan = plan.growing(growth.clone());
+            let limit = self.stable_set_under(parameter, &demands, &plan)?.limit();
+            plan = plan.knowing(&limit);
+            limits.push(limit);
+        }
+        Ok(limits)
     }
 
     /// All values of a parameter for which no wave grows.
@@ -166,13 +211,15 @@ impl Step {
     /// # Errors
     /// As [`limit`](Self::limit).
     pub fn inequalities(&self, parameter: &str, growth: &Rational) -> Result<Demands, SchemeError> {
+        self.inequalities_in(Some(self.sought(parameter)?), growth)
+    }
+
+    /// The only parameter without a value.
+    fn sought(&self, parameter: &str) -> Result<Variable, SchemeError> {
         let variable = self.variable(parameter)?;
         let open: Vec<String> =
             self.free_parameters().into_iter().filter(|name| name != parameter).collect();
-        if !open.is_empty() {
-            return Err(SchemeError::NotSet(open));
-        }
-        self.inequalities_in(Some(variable), growth)
+        if open.is_empty() { Ok(variable) } else { Err(SchemeError::NotSet(open)) }
     }
 
     pub(crate) fn inequalities_in(
@@ -185,15 +232,7 @@ impl Step {
             return Ok(self.demands_on_torus(&characteristic, variable, growth));
         }
         if let Some(margin) = gain_margin(&characteristic, self, variable, growth) {
-            let condition = Condition::Minor(1);
-            let whatever_the_step = false;
-            return Ok(Demands::All(vec![Inequality {
-                condition,
-                on_circle: false,
-                margin,
-                whatever_the_step,
-                thinned: false,
-            }]));
+            return Ok(Demands::All(vec![Inequality::of_gain(margin)]));
         }
         let conditions = Conditions::new(&characteristic, growth, &self.names);
         if conditions.nowhere {

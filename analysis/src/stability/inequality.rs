@@ -35,6 +35,12 @@ pub struct Inequality {
 }
 
 impl Inequality {
+    /// That of the only multiplier, with its margin.
+    pub(crate) fn of_gain(margin: Margin) -> Self {
+        let condition = Condition::Minor(1);
+        Self { condition, on_circle: false, margin, whatever_the_step: false, thinned: false }
+    }
+
     /// From a condition; all parameters but `parameter` must have their values. With `None` all must.
     pub fn new(requirement: &Requirement, names: &Names, parameter: Option<Variable>) -> Self {
         let mut polynomial = requirement.polynomial.clone();
@@ -106,6 +112,39 @@ pub(crate) fn even_series(
     Some((sum, phase_power, complement_power))
 }
 
+/// `s^a (1 − s)^b Σ_j C^j p_j`.
+#[derive(Debug, Clone)]
+pub(crate) struct FactoredSeries {
+    powers: Vec<EnclosedSeries>,
+    phase_power: usize,
+    complement_power: usize,
+}
+
+impl FactoredSeries {
+    fn margin(&self) -> Margin {
+        Margin::of_polynomial(&self.powers).with_factors(self.phase_power, self.complement_power)
+    }
+
+    /// As the margin `1 − |g|²`: that of a permitted growth, `(1 + ε)² − |g|²`.
+    pub(crate) fn growing(&self, growth: &Rational) -> Margin {
+        if growth.is_zero() {
+            return self.margin();
+        }
+        let s = EnclosedSeries::half_versine();
+        let complement = EnclosedSeries::constant(Rational::one()).plus(&s.scaled(&integer(-1)));
+        let factors = std::iter::repeat_n(&s, self.phase_power)
+            .chain(std::iter::repeat_n(&complement, self.complement_power));
+        let factor = factors.fold(EnclosedSeries::constant(Rational::one()), |f, g| f.times(g));
+        let mut powers: Vec<_> = self.powers.iter().map(|power| power.times(&factor)).collect();
+        let budget = EnclosedSeries::constant(growth * (growth + integer(2)));
+        match powers.first_mut() {
+            Some(first) => *first = first.plus(&budget),
+            None => powers.push(budget),
+        }
+        Margin::of_polynomial(&powers).with_growth(growth)
+    }
+}
+
 /// The margin of a real polynomial in the waves, one parameter and letters, times `scale`.
 pub(crate) fn margin_of(
     polynomial: &Laurent,
@@ -113,6 +152,16 @@ pub(crate) fn margin_of(
     parameter: Option<Variable>,
     scale: &Rational,
 ) -> Margin {
+    series_of(polynomial, names, parameter, scale).margin()
+}
+
+/// A real polynomial in the waves, one parameter and letters, times `scale`, as series by powers of the parameter.
+pub(crate) fn series_of(
+    polynomial: &Laurent,
+    names: &Names,
+    parameter: Option<Variable>,
+    scale: &Rational,
+) -> FactoredSeries {
     let (groups, phase_power, complement_power) = grouped(polynomial, parameter);
     let most =
         groups.keys().map(|(_, letters)| letters.iter().map(|(_, power)| power).sum::<i16>());
@@ -131,9 +180,9 @@ pub(crate) fn margin_of(
         }
         sums[degree] = sums[degree].plus(&term);
     }
-    let sums: Vec<EnclosedSeries> =
+    let powers: Vec<EnclosedSeries> =
         if short { sums } else { sums.into_iter().map(|s| s.shortened(KEPT_BITS)).collect() };
-    Margin::of_polynomial(&sums).with_factors(phase_power, complement_power)
+    FactoredSeries { powers, phase_power, complement_power }
 }
 
 fn power_of_letter(

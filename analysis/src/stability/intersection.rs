@@ -14,28 +14,14 @@ use num_traits::{Signed, Zero};
 
 /// Stable nowhere: some multiplier is outside whatever the wave and the value.
 pub(super) fn nowhere(dimension: usize) -> StableSet {
-    StableSet {
-        intervals: Vec::new(),
-        undecided: Vec::new(),
-        // Any wave will do.
-        immediately_unstable: Some(Wave::new(vec![std::f64::consts::FRAC_PI_2; dimension])),
-        immediate_binding: None,
-        immediate_offset: None,
-        neutral: false,
-        evidence: Evidence::Proved,
-        work: Work::default(),
-        at_zero: false,
-    }
+    // Any wave will do.
+    let wave = Wave::new(vec![std::f64::consts::FRAC_PI_2; dimension]);
+    StableSet { immediately_unstable: Some(wave), ..StableSet::empty(Evidence::Proved) }
 }
 
 /// Nothing is decided.
 pub(super) fn unknown(plan: &SearchPlan) -> StableSet {
-    StableSet {
-        undecided: vec![(0.0, to_f64(&plan.max))],
-        immediately_unstable: None,
-        evidence: Evidence::Undecided,
-        ..nowhere(1)
-    }
+    StableSet { undecided: vec![(0.0, to_f64(&plan.max))], ..StableSet::empty(Evidence::Undecided) }
 }
 
 /// Everything from 0 on.
@@ -45,14 +31,7 @@ fn everything(plan: &SearchPlan, evidence: Evidence) -> StableSet {
             from: Limit::exactly(ExactValue::Fraction(Rational::zero()), evidence),
             to: Limit::unbounded(&plan.max, evidence),
         }],
-        undecided: Vec::new(),
-        immediately_unstable: None,
-        immediate_binding: None,
-        immediate_offset: None,
-        neutral: true,
-        evidence,
-        work: Work::default(),
-        at_zero: true,
+        ..StableSet::empty(evidence)
     }
 }
 
@@ -75,10 +54,7 @@ pub(super) fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> St
     }
     // Where several fail at once, multipliers at +1 and −1 say more than a circle that is left.
     ordered.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.condition.cmp(&b.1.condition)));
-    if ordered.is_empty() {
-        return set;
-    }
-    set.neutral = false;
+    set.neutral = ordered.is_empty();
     for (_, inequality) in &ordered {
         set = restricted(set, inequality, plan);
     }
@@ -129,7 +105,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
             Some(from) if !first => from.min(end.clone()),
             _ => plan.known.clone().min(end.clone()),
         };
-        let found = search_within(&inequality.margin, &end, &known, plan.bits, plan.budget);
+        let found = search_within(&inequality.margin, &end, &known, plan);
         result.work += found.work;
         let inside = |value: f64| value < interval.to.upper();
         result.undecided.extend(found.undecided.iter().filter(|(from, _)| inside(*from)));
@@ -151,8 +127,7 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
                 Order::Other => other.to.bound_by(binding),
                 Order::Unclear(lower) => {
                     // Is this condition kept up to where the known one certainly is?
-                    let again =
-                        search_within(&inequality.margin, &lower, &known, plan.bits, plan.budget);
+                    let again = search_within(&inequality.margin, &lower, &known, plan);
                     result.work += again.work;
                     let kept = again.undecided.is_empty()
                         && again.intervals.last().is_some_and(|last| last.to.upper().is_infinite());

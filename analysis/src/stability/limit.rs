@@ -4,8 +4,8 @@ use super::conditions::Condition;
 use super::wave::Wave;
 use crate::exact::algebraic_number::AlgebraicNumber;
 use crate::exact::rational::{
-    Rational, decimal_below, from_f64, integer, parse, square_root_enclosure, to_f64, to_f64_above,
-    to_f64_below, to_text,
+    Rational, compare, decimal_below, from_f64, integer, parse, square_root_enclosure, to_f64,
+    to_f64_above, to_f64_below, to_text,
 };
 use num_bigint::BigInt;
 use num_traits::Signed;
@@ -258,7 +258,9 @@ impl Limit {
         let Some(certain) = self.certain_lower() else { return self.lower };
         [to_f64(&certain), self.lower]
             .into_iter()
-            .find(|value| parse(&value.to_string()).is_ok_and(|typed| typed <= certain))
+            .find(|value| {
+                parse(&value.to_string()).is_ok_and(|typed| compare(&typed, &certain).is_le())
+            })
             .unwrap_or(self.lower.next_down())
     }
 

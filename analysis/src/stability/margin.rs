@@ -1,11 +1,13 @@
 //! The stability margin `(1 + ε)² − |g|²` as an exact polynomial in the Courant number and the phase,
 //! with the factors taken out that vanish trivially.
 
-use crate::exact::common_factor::common_square_root;
+use crate::exact::common_factor::{common_square_root, have_no_common_factor};
 use crate::exact::cosine_series::CosineSeries;
 use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::polynomial::{Polynomial, Ring};
-use crate::exact::rational::{Rational, common_denominator, numerator_over};
+use crate::exact::rational::{
+    Rational, common_denominator, greatest_divisor, least_multiple, numerator_over,
+};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
@@ -51,19 +53,23 @@ impl Margin {
     /// A polynomial `Σ_j t^j p_j(φ)` given as such, whose sign is to be decided: the factors that vanish
     /// trivially are taken out as from `(1 + ε)² − |g|²`. Here `C` is `t` or, with stride 2, its root.
     pub(crate) fn of_polynomial(powers: &[EnclosedSeries]) -> Self {
-        let common = powers.iter().fold(BigInt::one(), |all, power| all.lcm(power.denominator()));
+        let common = powers
+            .iter()
+            .fold(BigInt::one(), |all, power| least_multiple(&all, power.denominator()));
         let over = |power: &EnclosedSeries| -> Vec<BigInt> {
             let factor = &common / power.denominator();
             power.numerators().iter().map(|value| value * &factor).collect()
         };
         let mut numerators: Vec<Vec<BigInt>> = powers.iter().map(over).collect();
         let values = numerators.iter().flatten().filter(|value| !value.is_zero());
-        let content = values.fold(
-            common.clone(),
-            |all, value| {
-                if all.is_one() { all } else { all.gcd(value) }
-            },
-        );
+        // A remainder costs less than a common divisor, and tells that nothing is left to divide out.
+        let content = values.fold(common.clone(), |all, value| {
+            if all.is_one() || value.is_multiple_of(&all) {
+                all
+            } else {
+                greatest_divisor(&all, value)
+            }
+        });
         if !content.is_one() {
             numerators.iter_mut().flatten().for_each(|value| *value /= &content);
         }
@@ -102,7 +108,12 @@ impl Margin {
         let unit = Rational::from(denominator.clone());
         Self {
             series,
-            radius: radius.map(|value| (value * &unit).ceil().to_integer()).collect(),
+            radius: radius
+                .map(|value| match value.is_zero() {
+                    true => BigInt::zero(),
+                    false => (value * &unit).ceil().to_integer(),
+                })
+                .collect(),
             denominator,
             phase_power: 0,
             complement_power: 0,
@@ -157,6 +168,9 @@ impl Margin {
 
     fn take_out_neutral_waves(&mut self) {
         if !self.is_exact() || self.is_neutral() || self.degree() < 2 {
+            return;
+        }
+        if have_no_common_factor(&self.series) {
             return;
         }
         let powers: Vec<Polynomial<Rational>> = self

@@ -3,10 +3,10 @@
 
 use super::{Evidence, ExactValue, Limit, SearchPlan, StableInterval, StableSet};
 use crate::exact::algebraic_number::AlgebraicNumber;
-use crate::exact::bernstein::Work;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
-    Rational, common_denominator, integer, numerator_over, to_f64_above, to_f64_below,
+    Rational, common_denominator, compare, integer, numerator_over, reduced, to_f64_above,
+    to_f64_below,
 };
 use crate::exact::real_roots::{RealRoot, SturmChain, power_of_two, real_roots};
 use crate::scheme::{SchemeError, Step};
@@ -88,18 +88,12 @@ impl Step {
             _ => non_negative(&most, plan),
         };
         let mut set = StableSet {
-            intervals: Vec::new(),
-            undecided: Vec::new(),
-            immediately_unstable: None,
-            immediate_binding: None,
             immediate_offset: most
                 .first()
                 .filter(|c| c.starts_negative())
                 .map(|c| c.offset.clone()),
-            neutral: false,
-            evidence,
-            work: Work::default(),
             at_zero: least.iter().all(|c| !c.polynomial.coefficient(0).is_negative()),
+            ..StableSet::empty(evidence)
         };
         for whole in &possible {
             let inside: Vec<_> = certain.iter().filter(|part| whole.holds(part, plan)).collect();
@@ -203,9 +197,14 @@ impl Coefficient {
         let mut stretches = Vec::new();
         let mut open = (!self.starts_negative()).then_some(None);
         for (index, root) in roots.iter().enumerate() {
-            let next = roots.get(index + 1).map_or(&plan.max, |next| &next.lower);
-            let beyond = (&root.upper + next) / integer(2);
-            let negative = self.polynomial.evaluate(&beyond).is_negative();
+            let negative = match self.polynomial.coefficients() {
+                [_, slope] => slope.is_negative(),
+                _ => {
+                    let next = roots.get(index + 1).map_or(&plan.max, |next| &next.lower);
+                    let beyond = (&root.upper + next) / integer(2);
+                    self.polynomial.evaluate(&beyond).is_negative()
+                }
+            };
             let end = Some(End { root: root.clone(), of: self });
             open = match (open, negative) {
                 (Some(from), true) => {
@@ -223,8 +222,8 @@ impl Coefficient {
     /// The roots strictly within the range, told apart from one another and from its end.
     fn roots(&self, plan: &SearchPlan) -> Vec<RealRoot> {
         if let [constant, slope] = self.polynomial.coefficients() {
-            let root = -constant / slope;
-            let inside = root.is_positive() && root < plan.max;
+            let root = reduced(-constant.numer() * slope.denom(), constant.denom() * slope.numer());
+            let inside = root.is_positive() && compare(&root, &plan.max).is_lt();
             return inside
                 .then(|| RealRoot { lower: root.clone(), upper: root })
                 .into_iter()
@@ -280,7 +279,7 @@ impl End<'_> {
         let mut bits = ROOT_BITS;
         loop {
             if let (Some(a), Some(b)) = (a.exact(), b.exact()) {
-                return a.cmp(b);
+                return compare(a, b);
             }
             if a.upper < b.lower {
                 return Ordering::Less;

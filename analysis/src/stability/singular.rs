@@ -73,7 +73,7 @@ impl Step {
             && let Some(real) = centred(&leading)
         {
             let margin = margin_of(&real, &self.names, Some(variable), &Rational::one());
-            let positive = search_within(&margin, &plan.max, &integer(0), plan.bits, plan.budget);
+            let positive = search_within(&margin, &plan.max, &integer(0), plan);
             let limit = positive.limit();
             if limit.upper().is_finite()
                 && limit.is_positive()

@@ -10,7 +10,7 @@ mod search;
 mod stable_stretch;
 mod unstable_stretch;
 
-use super::{Binding, Evidence, ExactValue, Limit, Wave};
+use super::{Binding, Evidence, ExactValue, Limit, SearchPlan, Wave};
 use crate::exact::bernstein::Work;
 use crate::exact::rational::{Rational, from_f64, to_f64};
 use crate::scheme::Step;
@@ -58,6 +58,21 @@ pub struct StableSet {
 }
 
 impl StableSet {
+    /// Without any value.
+    pub(crate) fn empty(evidence: Evidence) -> Self {
+        Self {
+            intervals: Vec::new(),
+            undecided: Vec::new(),
+            immediately_unstable: None,
+            immediate_binding: None,
+            immediate_offset: None,
+            neutral: false,
+            evidence,
+            work: Work::default(),
+            at_zero: false,
+        }
+    }
+
     /// The end of the stable interval that begins at 0; exactly 0 when there is none, and `[0, ∞]` when
     /// nothing could be decided from 0 on.
     pub fn limit(&self) -> Limit {
@@ -115,17 +130,17 @@ pub(crate) fn stable_set_of(margin: &Margin, max_courant: &Rational) -> StableSe
     Search::new(margin, max_courant, DEFAULT_BITS).run(max_courant, evidence(margin))
 }
 
-/// Every `C` in `[0, max_courant]` where a margin that is not neutral is nowhere negative, from a known value on; a decision looks at no
-/// more than `boxes` boxes.
+/// Every `C` in `[0, max_courant]` where a margin that is not neutral is nowhere negative, from a known value on, as precise and with as
+/// much work as the plan says.
 pub(crate) fn search_within(
     margin: &Margin,
     max_courant: &Rational,
     known: &Rational,
-    bits: u32,
-    boxes: usize,
+    plan: &SearchPlan,
 ) -> StableSet {
-    Search::new(margin, max_courant, bits)
-        .within(boxes)
+    Search::new(margin, max_courant, plan.bits)
+        .within(plan.budget)
+        .first_only(plan.first_only)
         .patient(FIRST_PATIENCE)
         .knowing(known)
         .run(max_courant, evidence(margin))

@@ -7,9 +7,11 @@
 //! that is not certainly concave is halved until its parts are. No extremum is missed between the nodes.
 
 mod cell;
+mod search;
 
-use cell::{CellPolynomial, TERMS, horner_in, is_concave, may_turn, newton, search_halves};
-use pulp::Arch;
+use cell::{CellPolynomial, TERMS};
+use pulp::{Arch, Simd, WithSimd};
+use search::Search;
 use std::f64::consts::PI;
 
 /// Cells for each half-wave of the highest frequency.
@@ -20,12 +22,6 @@ pub(crate) const LANES: usize = 8;
 
 /// What is below this part of the sum of all terms is rounding.
 const ROUNDING: f64 = 1e-14;
-
-/// A cell that cannot exceed the best sample by more than this part of the sum of all terms is not looked into.
-const NEGLIGIBLE: f64 = 1e-13;
-
-/// Times a cell is halved at most: `f` then varies by less than `2^−60` of its third derivative.
-const MOST_HALVINGS: usize = 20;
 
 /// One number for each of the columns.
 pub(crate) type Lanes = [f64; LANES];
@@ -57,6 +53,8 @@ pub(crate) struct Envelope {
     powers: usize,
     /// Half a cell, in radians.
     half: f64,
+    /// The nodes, in radians.
+    phases: Vec<f64>,
     /// `f_p` at the nodes: `[node][power]`.
     values: Vec<f64>,
     /// How much `f_p` can rise within the cell at most.
@@ -66,14 +64,6 @@ pub(crate) struct Envelope {
     /// The largest modulus of each `f_p` at the nodes.
     sizes: Vec<f64>,
     work: Work,
-}
-
-/// A cell of a column that may hold an extreme, the largest value (sign 1) or the smallest (−1).
-#[derive(Debug, Clone, Copy)]
-struct Candidate {
-    column: usize,
-    node: usize,
-    sign: f64,
 }
 
 impl Envelope {
@@ -117,26 +107,13 @@ impl Envelope {
             }
         }
         let turns: Vec<(f64, f64)> = (0..2 * cells).map(|j| exact_turn(j, cells)).collect();
-        let width = TERMS / 2 * powers;
         let mut table = Vec::with_capacity((cells + 1) * powers);
-        Arch::new().dispatch(|| {
-            let (mut evens, mut odds) = (vec![0.0; width], vec![0.0; width]);
-            for node in 0..=cells {
-                evens.fill(0.0);
-                odds.fill(0.0);
-                let terms = even.chunks_exact(width).zip(odd.chunks_exact(width));
-                for (order, (even, odd)) in terms.enumerate() {
-                    let (sine, cosine) = turns[order * node % (2 * cells)];
-                    evens.iter_mut().zip(even).for_each(|(sum, term)| *sum += term * cosine);
-                    odds.iter_mut().zip(odd).for_each(|(sum, term)| *sum += term * sine);
-                }
-                for power in 0..powers {
-                    let of = power * TERMS / 2;
-                    table.push(std::array::from_fn::<f64, TERMS, _>(|m| {
-                        if m % 2 == 0 { evens[of + m / 2] } else { odds[of + m / 2] }
-                    }));
-                }
-            }
+        Arch::new().dispatch(Tabulation {
+            even: &even,
+            odd: &odd,
+            turns: &turns,
+            table: &mut table,
+            powers,
         });
         for power in 0..powers {
             table[power][0] = first[power];
@@ -150,166 +127,48 @@ impl Envelope {
         }
         let rises = table.iter().map(rise).collect();
         let work = Work { phases: sampled + cells + 1, ..Work::default() };
-        Self { powers, half, values, rises, cells: table, sizes, work }
-    }
-
-    fn nodes(&self) -> usize {
-        self.cells.len() / self.powers
+        let phases = (0..=cells).map(|node| node_phase(node, cells)).collect();
+        Self { powers, half, phases, values, rises, cells: table, sizes, work }
     }
 
     /// The largest and the smallest value for each `t`, and the work.
     pub(crate) fn extremes(&self, parameters: &[f64]) -> (Vec<[Extreme; 2]>, Work) {
-        Arch::new().dispatch(
-            #[inline(always)]
-            || self.extremes_in_lanes(parameters),
-        )
+        Arch::new().dispatch(Search { envelope: self, parameters })
     }
+}
+
+/// The terms of all cells from those of the series, `[order][power][term]`, and the turns.
+struct Tabulation<'a> {
+    even: &'a [f64],
+    odd: &'a [f64],
+    turns: &'a [(f64, f64)],
+    table: &'a mut Vec<CellPolynomial>,
+    powers: usize,
+}
+
+impl WithSimd for Tabulation<'_> {
+    type Output = ();
 
     #[inline(always)]
-    fn extremes_in_lanes(&self, parameters: &[f64]) -> (Vec<[Extreme; 2]>, Work) {
-        let mut work = self.work;
-        let mut extremes = Vec::with_capacity(parameters.len());
-        let mut candidates = Vec::new();
-        for (block, columns) in parameters.chunks(LANES).enumerate() {
-            let t: Lanes = std::array::from_fn(|lane| columns[lane.min(columns.len() - 1)]);
-            let (high, low) = self.best_samples(&t);
-            self.collect(&t, (block * LANES, columns.len()), (&high, &low), &mut candidates);
-            let samples = high.into_iter().zip(low).take(columns.len());
-            let open = |value| Extreme { value, phase: f64::NAN };
-            extremes.extend(samples.map(|(high, low)| [open(high), open(low)]));
-        }
-        work.cells += candidates.len();
-        for group in candidates.chunks(LANES) {
-            self.look_into(group, parameters, &mut extremes, &mut work);
-        }
-        for (pair, &t) in extremes.iter_mut().zip(parameters) {
-            for extreme in pair.iter_mut().filter(|extreme| extreme.phase.is_nan()) {
-                // No cell rises above it: the first node that has it.
-                let node = (0..self.nodes()).find(|&node| self.at_node(node, t) == extreme.value);
-                extreme.phase = self.phase(node.unwrap_or(0), 0.0);
+    fn with_simd<S: Simd>(self, _: S) {
+        let width = TERMS / 2 * self.powers;
+        let (mut evens, mut odds) = (vec![0.0; width], vec![0.0; width]);
+        for node in 0..=self.turns.len() / 2 {
+            evens.fill(0.0);
+            odds.fill(0.0);
+            let terms = self.even.chunks_exact(width).zip(self.odd.chunks_exact(width));
+            for (order, (even, odd)) in terms.enumerate() {
+                let (sine, cosine) = self.turns[order * node % self.turns.len()];
+                evens.iter_mut().zip(even).for_each(|(sum, term)| *sum += term * cosine);
+                odds.iter_mut().zip(odd).for_each(|(sum, term)| *sum += term * sine);
+            }
+            for power in 0..self.powers {
+                let of = power * TERMS / 2;
+                self.table.push(std::array::from_fn::<f64, TERMS, _>(|m| {
+                    if m % 2 == 0 { evens[of + m / 2] } else { odds[of + m / 2] }
+                }));
             }
         }
-        (extremes, work)
-    }
-
-    #[inline(always)]
-    fn best_samples(&self, t: &Lanes) -> (Lanes, Lanes) {
-        let (mut high, mut low) = ([f64::NEG_INFINITY; LANES], [f64::INFINITY; LANES]);
-        for node in self.values.chunks_exact(self.powers) {
-            let value = horner(node, t);
-            for lane in 0..LANES {
-                high[lane] = if value[lane] > high[lane] { value[lane] } else { high[lane] };
-                low[lane] = if value[lane] < low[lane] { value[lane] } else { low[lane] };
-            }
-        }
-        (high, low)
-    }
-
-    /// The cells that may reach beyond the best samples.
-    #[inline(always)]
-    fn collect(
-        &self,
-        t: &Lanes,
-        (first, columns): (usize, usize),
-        (high, low): (&Lanes, &Lanes),
-        candidates: &mut Vec<Candidate>,
-    ) {
-        let moduli = t.map(f64::abs);
-        let margin = horner(&self.sizes, &moduli).map(|size| NEGLIGIBLE * size);
-        let (mut above, mut below) = (*high, *low);
-        for lane in 0..LANES {
-            above[lane] += margin[lane];
-            below[lane] -= margin[lane];
-        }
-        let nodes = self.values.chunks_exact(self.powers).zip(self.rises.chunks_exact(self.powers));
-        for (node, (values, rises)) in nodes.enumerate() {
-            let (value, rise) = (horner(values, t), horner(rises, &moduli));
-            let mut any = 0u64;
-            for lane in 0..LANES {
-                any |= u64::from(value[lane] + rise[lane] > above[lane]);
-                any |= u64::from(value[lane] - rise[lane] < below[lane]);
-            }
-            if any == 0 {
-                continue;
-            }
-            for lane in 0..columns {
-                for (sign, reaches) in [
-                    (1.0, value[lane] + rise[lane] > above[lane]),
-                    (-1.0, value[lane] - rise[lane] < below[lane]),
-                ] {
-                    let candidate = Candidate { column: first + lane, node, sign };
-                    if reaches && may_turn(&self.polynomial(&candidate, t[lane])) {
-                        candidates.push(candidate);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Goes for the extremes of some cells together.
-    #[inline(always)]
-    fn look_into(
-        &self,
-        group: &[Candidate],
-        parameters: &[f64],
-        extremes: &mut [[Extreme; 2]],
-        work: &mut Work,
-    ) {
-        let mut terms = [[0.0; LANES]; TERMS];
-        let mut concave = [true; LANES];
-        let mut found = [(f64::NEG_INFINITY, 0.0); LANES];
-        for (lane, candidate) in group.iter().enumerate() {
-            let cell = self.polynomial(candidate, parameters[candidate.column]);
-            concave[lane] = is_concave(&cell);
-            if concave[lane] {
-                terms.iter_mut().zip(cell).for_each(|(lanes, term)| lanes[lane] = term);
-            } else {
-                work.halved += 1;
-                let best = &mut found[lane];
-                *best = (cell[0], 0.0);
-                search_halves(&cell, (0.0, 1.0), MOST_HALVINGS, best);
-            }
-        }
-        for lane in (0..LANES).filter(|&lane| lane >= group.len() || !concave[lane]) {
-            // A parabola for the lanes that have nothing to do.
-            terms[2][lane] = -1.0;
-        }
-        let (places, steps) = newton(&terms);
-        work.newton_steps += steps;
-        let values = horner_in(&terms, &places);
-        for (lane, candidate) in group.iter().enumerate() {
-            let (value, place) =
-                if concave[lane] { (values[lane], places[lane]) } else { found[lane] };
-            let extreme = &mut extremes[candidate.column][usize::from(candidate.sign < 0.0)];
-            let exceeds = candidate.sign * (candidate.sign * value - extreme.value) > 0.0;
-            if exceeds || extreme.phase.is_nan() && candidate.sign * value == extreme.value {
-                let phase = self.phase(candidate.node, place);
-                *extreme = Extreme { value: candidate.sign * value, phase };
-            }
-        }
-    }
-
-    /// `sign · f` in the cell, in powers of the distance from its node over half its width.
-    #[inline(always)]
-    fn polynomial(&self, candidate: &Candidate, t: f64) -> CellPolynomial {
-        let cells = &self.cells[candidate.node * self.powers..][..self.powers];
-        let mut sum = [0.0; TERMS];
-        for cell in cells.iter().rev() {
-            for m in 0..TERMS {
-                sum[m] = sum[m] * t + cell[m];
-            }
-        }
-        sum.map(|term| candidate.sign * term)
-    }
-
-    fn at_node(&self, node: usize, t: f64) -> f64 {
-        horner(&self.values[node * self.powers..][..self.powers], &[t; LANES])[0]
-    }
-
-    /// Within `[0, π]`, about both ends of which everything is even.
-    fn phase(&self, node: usize, place: f64) -> f64 {
-        let phase = (node_phase(node, self.nodes() - 1) + place * self.half).abs();
-        if phase > PI { 2.0 * PI - phase } else { phase }
     }
 }
 
@@ -357,18 +216,6 @@ fn cosine_coefficients(values: &[f64], samples: usize, powers: usize) -> Vec<f64
     }
     series.truncate((kept + 1) * powers);
     series
-}
-
-/// `Σ_p t^p c_p` in every lane. No `mul_add`: where the target has no such instruction it is a slow library call.
-#[inline(always)]
-fn horner(coefficients: &[f64], t: &Lanes) -> Lanes {
-    let mut sum = [0.0; LANES];
-    for coefficient in coefficients.iter().rev() {
-        for lane in 0..LANES {
-            sum[lane] = sum[lane] * t[lane] + coefficient;
-        }
-    }
-    sum
 }
 
 #[cfg(test)]

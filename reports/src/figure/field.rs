@@ -52,32 +52,21 @@ impl Field {
         Field { x, y, ..self.clone() }
     }
 
-    /// Outlines of the region where the field is at least `level`: closed rings, counterclockwise around the region and
+    /// Outlines of the regions where the field is at least each level: closed rings, counterclockwise around the region and
     /// clockwise around its holes.
-    pub(super) fn region(&self, level: f64) -> Vec<Vec<Point>> {
-        let rings = self.outlines(level).into_iter();
-        let points = rings.map(|ring| ring.into_iter().map(|place| place.0).collect());
-        // Where the level only touches a node a ring is no more than a point.
-        points.filter(|ring: &Vec<Point>| ring.len() > 2).collect()
+    pub(super) fn regions(&self, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
+        let region = |rings: Vec<Ring>| {
+            let points = rings.into_iter().map(|ring| ring.into_iter().map(|place| place.0));
+            // Where the level only touches a node a ring is no more than a point.
+            points.map(Iterator::collect).filter(|ring: &Vec<Point>| ring.len() > 2).collect()
+        };
+        self.outlines(levels).into_iter().map(region).collect()
     }
 
-    /// The lines of one value: the outlines without what runs along the border and the sides of the grid. A closed one
+    /// The lines of each level: the outlines without what runs along the border and the sides of the grid. A closed one
     /// repeats its first point.
-    pub(super) fn isolines(&self, level: f64) -> Vec<Vec<Point>> {
-        let mut lines = Vec::new();
-        for mut ring in self.outlines(level) {
-            match ring.iter().position(|place| !place.1) {
-                Some(gap) => ring.rotate_left(gap),
-                None => ring.push(ring[0]),
-            }
-            let runs = ring.split(|place| !place.1).filter(|run| run.len() > 1);
-            lines.extend(runs.map(|run| {
-                let mut points: Vec<Point> = run.iter().map(|place| place.0).collect();
-                points.dedup(); // a line through a node meets it on two sides
-                points
-            }));
-        }
-        lines
+    pub(super) fn isolines(&self, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
+        self.outlines(levels).into_iter().map(lines_of).collect()
     }
 
     fn is_inside(&self, node: [usize; 2], level: f64) -> bool {
@@ -103,45 +92,74 @@ impl Field {
         (value.min(border), value <= border && self.values[outside].is_finite())
     }
 
-    /// Rings of places, each with whether it is a crossing of the level.
-    fn outlines(&self, level: f64) -> Vec<Vec<(Point, bool)>> {
+    /// The cells that each level, of any order, crosses, and those at the rim of the grid that have a part inside: one walk for all.
+    fn crossed_cells(&self, levels: &[f64]) -> Vec<Vec<[usize; 2]>> {
+        let mut order: Vec<usize> = (0..levels.len()).collect();
+        order.sort_by(|&a, &b| levels[a].total_cmp(&levels[b]));
+        let ascending: Vec<f64> = order.iter().map(|&which| levels[which]).collect();
+        // How many levels each node reaches: a cell is crossed by those that some of its nodes reach and others do not.
+        let mut reached =
+            self.values.mapv(|value| ascending.partition_point(|level| *level <= value));
+        if let Some(border) = &self.border {
+            reached.zip_mut_with(border, |reached, border| {
+                *reached = if *border >= 0.0 { *reached } else { 0 };
+            });
+        }
+        let (columns, rows) = self.values.dim();
+        let mut cells = vec![Vec::new(); levels.len()];
+        for i in 0..columns - 1 {
+            let (left, right) = (reached.row(i), reached.row(i + 1));
+            // Iterators rather than indices: this is the inner loop of every map.
+            let sides = left.iter().zip(right).map(|(&a, &b)| (a.min(b), a.max(b)));
+            for (j, ((low, high), next)) in sides.clone().zip(sides.skip(1)).enumerate() {
+                let (least, most) = (low.min(next.0), high.max(next.1));
+                let is_outer = j == 0 || i + 2 == columns || j + 2 == rows || i == 0;
+                let first = if is_outer { 0 } else { least };
+                order[first..most].iter().for_each(|&which| cells[which].push([i, j]));
+            }
+        }
+        cells
+    }
+
+    /// Rings of places of each level.
+    fn outlines(&self, levels: &[f64]) -> Vec<Vec<Ring>> {
+        let cells = self.crossed_cells(levels);
+        levels.iter().zip(cells).map(|(&level, cells)| self.outlines_in(&cells, level)).collect()
+    }
+
+    /// Rings of places, from the cells that may hold some.
+    fn outlines_in(&self, cells: &[[usize; 2]], level: f64) -> Vec<Ring> {
         let (columns, rows) = self.values.dim();
         // A node, or the crossing on the side that leads from it to the right (1) or upwards (2).
         let key = |[i, j]: [usize; 2], side: usize| 3 * (i * rows + j) + side;
         let mut next: BTreeMap<usize, usize> = BTreeMap::new();
-        for i in 0..columns - 1 {
-            for j in 0..rows - 1 {
-                let nodes = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
-                let inside = nodes.map(|node| self.is_inside(node, level));
-                let outer = [j == 0, i + 2 == columns, j + 2 == rows, i == 0];
-                if inside == [false; 4] || (inside == [true; 4] && outer == [false; 4]) {
-                    continue;
-                }
-                let crossing =
-                    [key(nodes[0], 1), key(nodes[1], 2), key(nodes[3], 1), key(nodes[0], 2)];
-                let mean =
-                    |field: &Array2<f64>| nodes.iter().map(|&node| 0.25 * field[node]).sum::<f64>();
-                let joined = mean(&self.values) >= level
-                    && self.border.as_ref().is_none_or(|border| mean(border) >= 0.0);
-                for exit in (0..4).filter(|&k| inside[k] && !inside[(k + 1) % 4]) {
-                    // Joined corners: each outer one is cut off, on to the next way in; else each inner one is.
-                    let step = if joined { 1 } else { 3 };
-                    let entry = (1..4).map(|n| (exit + n * step) % 4);
-                    let mut entry = entry.filter(|&k| !inside[k] && inside[(k + 1) % 4]);
-                    next.insert(
-                        crossing[exit],
-                        crossing[entry.next().expect("what is left is entered")],
-                    );
-                }
-                for side in (0..4).filter(|&side| outer[side]) {
-                    let (a, b) = (key(nodes[side], 0), key(nodes[(side + 1) % 4], 0));
-                    match (inside[side], inside[(side + 1) % 4]) {
-                        (true, true) => next.insert(a, b),
-                        (true, false) => next.insert(a, crossing[side]),
-                        (false, true) => next.insert(crossing[side], b),
-                        (false, false) => None,
-                    };
-                }
+        for &[i, j] in cells {
+            let nodes = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
+            let inside = nodes.map(|node| self.is_inside(node, level));
+            let outer = [j == 0, i + 2 == columns, j + 2 == rows, i == 0];
+            let crossing = [key(nodes[0], 1), key(nodes[1], 2), key(nodes[3], 1), key(nodes[0], 2)];
+            let mean =
+                |field: &Array2<f64>| nodes.iter().map(|&node| 0.25 * field[node]).sum::<f64>();
+            let joined = mean(&self.values) >= level
+                && self.border.as_ref().is_none_or(|border| mean(border) >= 0.0);
+            for exit in (0..4).filter(|&k| inside[k] && !inside[(k + 1) % 4]) {
+                // Joined corners: each outer one is cut off, on to the next way in; else each inner one is.
+                let step = if joined { 1 } else { 3 };
+                let entry = (1..4).map(|n| (exit + n * step) % 4);
+                let mut entry = entry.filter(|&k| !inside[k] && inside[(k + 1) % 4]);
+                next.insert(
+                    crossing[exit],
+                    crossing[entry.next().expect("what is left is entered")],
+                );
+            }
+            for side in (0..4).filter(|&side| outer[side]) {
+                let (a, b) = (key(nodes[side], 0), key(nodes[(side + 1) % 4], 0));
+                match (inside[side], inside[(side + 1) % 4]) {
+                    (true, true) => next.insert(a, b),
+                    (true, false) => next.insert(a, crossing[side]),
+                    (false, true) => next.insert(crossing[side], b),
+                    (false, false) => None,
+                };
             }
         }
         let place = |key: usize| {
@@ -169,10 +187,46 @@ impl Field {
     }
 }
 
+/// Places, each with whether it is a crossing of the level.
+type Ring = Vec<(Point, bool)>;
+
+/// What of the rings runs along the level.
+fn lines_of(rings: Vec<Ring>) -> Vec<Vec<Point>> {
+    let mut lines = Vec::new();
+    for mut ring in rings {
+        match ring.iter().position(|place| !place.1) {
+            Some(gap) => ring.rotate_left(gap),
+            None => ring.push(ring[0]),
+        }
+        let runs = ring.split(|place| !place.1).filter(|run| run.len() > 1);
+        lines.extend(runs.map(|run| {
+            let mut points: Vec<Point> = run.iter().map(|place| place.0).collect();
+            points.dedup(); // a line through a node meets it on two sides
+            points
+        }));
+    }
+    lines
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    impl Field {
+        fn region(&self, level: f64) -> Vec<Vec<Point>> {
+            // Among others, out of order, it is the same.
+            let several = self.regions(&[level + 0.5, level, level - 0.5, level]);
+            assert_eq!(several[1], several[3]);
+            let alone = self.regions(&[level]).swap_remove(0);
+            assert_eq!(several[1], alone);
+            alone
+        }
+
+        fn isoline(&self, level: f64) -> Vec<Vec<Point>> {
+            self.isolines(&[level]).swap_remove(0)
+        }
+    }
 
     fn nodes(n: usize, low: f64, high: f64) -> Vec<f64> {
         (0..n).map(|i| low + (high - low) * i as f64 / (n - 1) as f64).collect()
@@ -196,7 +250,7 @@ mod tests {
     #[test]
     fn a_circle_is_one_closed_line_near_its_radius() {
         let bowl = field(101, 101, 2.0, |x, y| (x - 1.0).powi(2) + (y - 1.0).powi(2));
-        let lines = bowl.isolines(0.49);
+        let lines = bowl.isoline(0.49);
         assert!(lines.len() == 1 && lines[0].first() == lines[0].last());
         for p in &lines[0] {
             // Linear interpolation of r² over a side of h = 0.02 errs by at most h²/4 in r², that is h²/(8 r) in r.
@@ -225,11 +279,11 @@ mod tests {
         let bounded = field(7, 7, 1.0, |x, _| x).within(cut).unwrap();
         // All of it: the square less the triangle below the edge, from (1/3, 0) to (1, 1/3).
         assert!((area(&bounded.region(f64::NEG_INFINITY)) - (1.0 - 1.0 / 9.0)).abs() < 1e-8);
-        assert!(bounded.isolines(f64::NEG_INFINITY).is_empty());
+        assert!(bounded.isoline(f64::NEG_INFINITY).is_empty());
         // The line x = 3/4 from within the cell of the edge, at y = 5/24, up.
-        let lines = bounded.isolines(0.75);
+        let lines = bounded.isoline(0.75);
         assert!(lines.len() == 1 && lines[0].iter().all(|p| (p[0] - 0.75).abs() < 1e-12));
-        assert!(half.region(0.0).len() == 1 && half.isolines(0.0).len() == 1);
+        assert!(half.region(0.0).len() == 1 && half.isoline(0.0).len() == 1);
     }
 
     #[test]
@@ -257,7 +311,7 @@ mod tests {
             // Bounded by itself a field is what it is at least 0.
             let bounded = high.clone().within(values).unwrap();
             prop_assert_eq!(area(&bounded.region(-2.0)), area(&high.region(0.0)));
-            for point in high.isolines(level).iter().flatten() {
+            for point in high.isoline(level).iter().flatten() {
                 let [i, j] = [point[0] * 5.0, point[1] * 6.0];
                 let on_line = (i - i.round()).abs() < 1e-9 || (j - j.round()).abs() < 1e-9;
                 prop_assert!(on_line, "{point:?} is on no line of the grid");

@@ -23,8 +23,8 @@ impl Obstacles {
             match layer {
                 Layer::Line(line) => frame.curve(&line.points).iter().for_each(|c| add(c)),
                 Layer::Isolines(lines) if !lines.values => {
-                    let each = lines.levels.iter().flat_map(|&l| frame.isolines(&lines.field, l));
-                    each.for_each(|line| add(&line));
+                    let all = frame.isolines(&lines.field, &lines.levels);
+                    all.iter().flatten().for_each(|line| add(line));
                 }
                 Layer::Markers(m) => m.points.iter().for_each(|&p| add(&[frame.at(p); 2])),
                 Layer::Note(note) => add(&[frame.at(note.at); 2]),
@@ -59,11 +59,13 @@ impl Obstacles {
             let nodes = (1..8).map(|m| at(start + gap * f64::from(m) / 8.0));
             let bend = nodes.map(|p| distance_to_segment(p, a, b)).fold(0.0, f64::max);
             let clear = inner.contains(a) && inner.contains(b) && bend <= 0.3 * size;
-            (clear && self.is_free(a, b, size))
-                .then_some((bend / size + 0.25 * (t - 0.5).abs(), start))
+            clear.then_some((bend / size + 0.25 * (t - 0.5).abs(), (start, a, b)))
         };
-        let (_, start) = (0..TRIALS).filter_map(cost).min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let (a, b) = (at(start), at(start + gap));
+        // The best ones first: few are held against all curves.
+        let mut trials: Vec<_> = (0..TRIALS).filter_map(cost).collect();
+        trials.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut trials = trials.into_iter().map(|trial| trial.1);
+        let (start, a, b) = trials.find(|&(_, a, b)| self.is_free(a, b, size))?;
         // Onto the middle of a bent stretch rather than its chord.
         let middle = between(between(a, b, 0.5), at(start + 0.5 * gap), 0.5);
         self.labels.push((middle, 0.5 * gap));

@@ -2,6 +2,7 @@
 
 use super::{
     axis::Axis,
+    color::Color,
     field::Field,
     geometry::{Point, Rect, clip, distance, simplify},
     ink::{Drawn, Ink, Pen},
@@ -49,11 +50,13 @@ impl Frame<'_> {
         field.on(x, field.y.iter().map(|&y| self.at([f64::NAN, y])[1].clamp(top, bottom)).collect())
     }
 
-    /// The lines of one value of a field, without specks: islands no larger than a letter.
-    pub(super) fn isolines(&self, field: &Field, level: f64) -> Vec<Vec<Point>> {
-        let lines = self.field(field).isolines(level);
+    /// The lines of each value of a field, without specks: islands no larger than a letter.
+    pub(super) fn isolines(&self, field: &Field, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
         let far = |line: &&Vec<Point>| line.iter().any(|&p| distance(p, line[0]) > 6.0 * POINT);
-        lines.iter().filter(far).map(|line| simplify(line, TOLERANCE)).collect()
+        let lines_of = |lines: Vec<Vec<Point>>| {
+            lines.iter().filter(far).map(|line| simplify(line, TOLERANCE)).collect()
+        };
+        self.field(field).isolines(levels).into_iter().map(lines_of).collect()
     }
 }
 
@@ -91,10 +94,10 @@ fn bands(canvas: &impl Ink, frame: &Frame, contours: &FilledContours) -> Drawn {
     let below = bands.below.map(|color| (f64::NEG_INFINITY, color));
     let inner = bands.edges.iter().copied().zip(bands.colors.iter().copied());
     let above = bands.above.map(|color| (last, color));
-    let all = below.into_iter().chain(inner).chain(above);
-    for (level, color) in all {
-        let rings = field.region(level).into_iter();
-        let rings: Vec<_> = rings.map(|ring| simplify(&ring, TOLERANCE)).collect();
+    let (levels, colors): (Vec<f64>, Vec<Color>) =
+        below.into_iter().chain(inner).chain(above).unzip();
+    for (rings, color) in field.regions(&levels).into_iter().zip(colors) {
+        let rings: Vec<_> = rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect();
         if !rings.is_empty() {
             canvas.fill(&rings, color)?;
         }
@@ -109,10 +112,11 @@ fn isolines(
     labels: &mut Obstacles,
 ) -> Drawn {
     let pen = Pen::solid(isolines.color, isolines.width);
-    for &level in &isolines.levels {
+    let lines = frame.isolines(&isolines.field, &isolines.levels);
+    for (&level, lines) in isolines.levels.iter().zip(lines) {
         let value = format_number(level);
         let width = text::width(&value, ISOLINE_SIZE * POINT);
-        for line in frame.isolines(&isolines.field, level) {
+        for line in lines {
             canvas.stroke(&line, pen)?;
             if let Some(place) = isolines.values.then(|| labels.place(&line, width)).flatten() {
                 canvas.letters(&value, ISOLINE_SIZE, place)?;

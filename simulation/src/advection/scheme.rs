@@ -7,7 +7,7 @@ use courant_analysis::kernel::lattice::RatioOutOfRange;
 use courant_analysis::scheme::catalogue::{self, SchemeFile};
 use courant_analysis::scheme::{OneStep, Step};
 use courant_analysis::stability::margin::Margin;
-use courant_analysis::stability::{SearchPlan, StableSet};
+use courant_analysis::stability::{Limit, SearchPlan, StableSet};
 use courant_analysis::waves::GainExtremes;
 
 /// The advection schemes of Ferrari et al. 2008, section 2: which running code advances. What each is stands in the catalogue.
@@ -173,6 +173,12 @@ impl Discretisation {
     /// The stable Courant numbers, looked for in one's own way.
     pub fn stable_set_by(&self, plan: &SearchPlan) -> StableSet {
         self.step().stable_set(COURANT_NUMBER, plan).expect("only the Courant number is free")
+    }
+
+    /// The largest Courant numbers with permitted growths, ascending, looked for in one's own way.
+    pub fn limits_by(&self, plan: &SearchPlan, growths: &[Rational]) -> Vec<Limit> {
+        let limits = self.step().limits_by(COURANT_NUMBER, plan, growths);
+        limits.expect("only the Courant number is free")
     }
 
     /// The Courant numbers at which no coefficient is negative.

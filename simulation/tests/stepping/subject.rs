@@ -28,7 +28,7 @@ impl Subject {
         let name = file.parameter.clone().unwrap_or_else(|| "C".into());
         Self {
             name: file.name.clone(),
-            equations: file.equations.clone(),
+            equations: (*file.equations).clone(),
             lattice: None,
             integrator: None,
             values: defaults.chain([(name, sought)]).collect(),
@@ -61,7 +61,7 @@ impl Subject {
     /// The predicted multipliers.
     pub fn predicted(&self) -> Result<impl Fn(&[f64]) -> WavePolynomial + use<>, SchemeError> {
         let mut file = catalogue::schemes()[0].clone();
-        file.equations = self.equations.clone();
+        file.equations = self.equations.clone().into();
         file.parameters.clear();
         let (lattice, integrator) = (self.lattice.as_ref(), self.integrator.as_ref());
         let compiled = file.step(lattice, integrator, &self.values, None)?.compile()?;

@@ -416,7 +416,7 @@ fn typed(kind: Kind, text: &str) -> Result<Arc<SchemeFile>, Failure> {
     Ok(Arc::new(SchemeFile {
         title: name.clone(),
         name,
-        equations,
+        equations: equations.into(),
         parameter: None,
         exact: None,
         source: String::new(),

@@ -1,10 +1,12 @@
 //! From cosines and powers to the Bernstein basis, in integers.
 
 use crate::exact::cosine_series::CosineSeries;
+use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, common_denominator, numerator_over};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::sync::OnceLock;
 
 /// `[e_0, …, e_n]` of `m` copies of `a` and `k` copies of `b`.
 fn elementary_symmetric(a: &BigInt, m: usize, b: &BigInt, k: usize) -> Vec<BigInt> {
@@ -29,9 +31,47 @@ pub(crate) fn binomials(degree: usize) -> Vec<BigInt> {
     row
 }
 
+/// Up to this degree the cosines have coefficients whose products with half of an `i128` can be added up in one.
+const SMALL_DEGREE: usize = 28;
+
+/// The cosines up to a degree in scaled Bernstein form: `[order][index]`.
+static COSINES: [OnceLock<Vec<i64>>; SMALL_DEGREE + 1] = [const { OnceLock::new() }; _];
+
 /// The `β_i` with `Σ_m r_m cos mφ = Σ_i β_i s^i (1 − s)^{n−i}`.
 pub(super) fn scaled_bernstein(series: &CosineSeries<BigInt>, degree: usize) -> Vec<BigInt> {
-    let powers = series.in_powers_of_s();
+    if degree > SMALL_DEGREE {
+        return homogeneous(&series.in_powers_of_s(), degree);
+    }
+    let cosines = COSINES[degree].get_or_init(|| {
+        let orders = (0..=degree).flat_map(|order| {
+            let mut cosine = vec![BigInt::zero(); order];
+            cosine.push(BigInt::one());
+            homogeneous(&CosineSeries::new(cosine).in_powers_of_s(), degree)
+        });
+        orders.map(|value| value.to_i64().expect("below 4^28")).collect()
+    });
+    // The digits of all coefficients, to the base 2^64, by rank.
+    let mut sums: Vec<Vec<i128>> = Vec::new();
+    for (value, cosine) in series.coefficients().iter().zip(cosines.chunks_exact(degree + 1)) {
+        let sign = if value.is_negative() { -1 } else { 1 };
+        for (rank, digit) in value.iter_u64_digits().enumerate() {
+            if rank == sums.len() {
+                sums.push(vec![0; degree + 1]);
+            }
+            let digit = sign * i128::from(digit);
+            sums[rank].iter_mut().zip(cosine).for_each(|(sum, c)| *sum += digit * i128::from(*c));
+        }
+    }
+    (0..=degree)
+        .map(|index| {
+            let digits = sums.iter().rev();
+            digits.fold(BigInt::zero(), |number, digits| (number << 64) + digits[index])
+        })
+        .collect()
+}
+
+/// `Σ a_i s^i` as `Σ β_i s^i (1 − s)^{n−i}`.
+fn homogeneous(powers: &Polynomial<BigInt>, degree: usize) -> Vec<BigInt> {
     // Σ a_i s^i (s + (1 − s))^{n−i}: Horner in the homogeneous form.
     let mut scaled: Vec<BigInt> = Vec::with_capacity(degree + 1);
     for index in 0..=degree {

@@ -213,3 +213,46 @@ fn wide_intervals_contain_what_their_members_give() {
         }
     }
 }
+
+#[test]
+fn what_members_give_lies_in_what_intervals_give() {
+    // Ends of every kind, infinite ones too; members are the finite ends and what lies between.
+    let mut random = Random(5);
+    for _ in 0..1500 {
+        let [x, y] = [(); 2].map(|()| {
+            let (a, b) = (random.float(), random.float());
+            match random.bits() % 6 {
+                0 => Interval { lower: f64::NEG_INFINITY, upper: a },
+                1 => Interval { lower: a, upper: f64::INFINITY },
+                _ => Interval::new(a.min(b), a.max(b)),
+            }
+        });
+        let members = |x: Interval| {
+            [x.lower.max(f64::MIN), x.upper.min(f64::MAX), x.lower.max(-1.0).min(x.upper)]
+        };
+        let inside = |found: Interval, truth: &Rational| {
+            let above = found.lower == f64::NEG_INFINITY || exact(found.lower) <= *truth;
+            above && (found.upper == f64::INFINITY || *truth <= exact(found.upper))
+        };
+        assert_eq!(x.divided_by(y).is_none(), y.contains(0.0));
+        for (p, q) in members(x).into_iter().flat_map(|a| members(y).map(|b| (exact(a), exact(b))))
+        {
+            assert!(inside(x + y, &(&p + &q)) && inside(x - y, &(&p - &q)), "{x:?} ± {y:?}");
+            assert!(inside(x * y, &(&p * &q)), "{x:?} times {y:?}");
+            assert!(y.contains(0.0) || inside(x / y, &(&p / &q)), "{x:?} by {y:?}");
+            for n in 0..4 {
+                assert!(inside(x.pow(n).unwrap(), &p.pow(n)), "{x:?} to {n}");
+            }
+            assert!(inside(x.sqr(), &(&p * &p)) && !x.sqr().lower.is_sign_negative());
+        }
+    }
+    let least = f64::from_bits(1);
+    assert_eq!(Interval::new(-1000.0, 1000.0).exp(), Interval { lower: 0.0, upper: f64::INFINITY });
+    assert_eq!(Interval::point(-746.5).exp(), Interval { lower: 0.0, upper: least });
+    assert_eq!(
+        (Interval::point(0.0).exp(), Interval::point(711.0).exp().lower),
+        (Interval::point(1.0), f64::MAX)
+    );
+    assert!(!Interval::new(1.0, 2.0).contains(0.5) && !Interval::new(1.0, 2.0).contains(2.5));
+    assert_eq!(Interval::WHOLE.center_and_radius(), None);
+}

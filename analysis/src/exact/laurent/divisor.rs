@@ -373,3 +373,71 @@ impl num_traits::One for Laurent {
         Self::constant(BigInt::one())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::laurent;
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(96))]
+        #[test]
+        fn three_roads_to_a_divisor_agree(a in laurent(), b in laurent(), planted in laurent()) {
+            let [left, right] = [&a * &planted, &b * &planted].map(|product| product.primitive());
+            let in_both = |&v: &Variable| left.contains(v) && right.contains(v);
+            prop_assume!(!left.is_zero() && !right.is_zero());
+            let common = greatest_common_divisor(&left, &right);
+            let plain = |found: Laurent| normal(found.primitive());
+            if let Some(found) = heuristic_divisor(&left, &right) {
+                prop_assert_eq!(plain(found), common.clone());
+            }
+            for main in (0..VARIABLES).map(Variable).filter(in_both) {
+                prop_assert_eq!(plain(by_remainders(&left, &right, main)), common.clone(), "{} and {}", left, right);
+                // Never said of a divisor that does contain it.
+                prop_assert!(!(surely_coprime(&left, &right, main) && common.contains(main)));
+            }
+        }
+
+        #[test]
+        fn a_square_and_a_rest_without_squares(a in laurent(), b in laurent(), factor in 1i64..40, by in -3i16..4) {
+            let whole = (&(&a * &a) * &b).scaled(&factor.into()).shifted(Variable::name(0), by);
+            let (root, rest) = whole.square_part();
+            prop_assert_eq!(&(&root * &root) * &rest, whole.clone());
+            if whole.is_zero() {
+                prop_assert_eq!((root, rest), (Laurent::default(), Laurent::integer(1)));
+                return Ok(());
+            }
+            prop_assert!(square_free_factors(&rest).len() <= 1, "{}", rest);
+            prop_assert!(root.primitive().divide_exactly(&a.primitive()).is_some(), "{} of {}", root, whole);
+            prop_assert!(rest.lowest_powers().iter().all(|power| (0..2).contains(power)));
+            let content = rest.integer_content();
+            prop_assert!((2i64..9).all(|n| (&content % (n * n)) != BigInt::zero()), "{}", content);
+        }
+    }
+
+    #[test]
+    fn a_quotient_of_whole_coefficients_or_none() {
+        let (x, y) = (Laurent::variable(Variable::TIME), Laurent::variable(Variable::axis(0)));
+        let sum = x.clone() + y.clone();
+        let divided = |p: &Laurent, q: &Laurent| p.divide_exactly(q);
+        assert_eq!(
+            divided(&sum.scaled(&6.into()), &Laurent::integer(-3)),
+            Some(sum.scaled(&(-2).into()))
+        );
+        assert_eq!(divided(&sum.scaled(&6.into()), &Laurent::integer(4)), None);
+        assert_eq!(divided(&sum.scaled(&6.into()), &sum.scaled(&4.into())), None);
+        assert_eq!(divided(&(&sum * &sum), &(x.clone() - y)), None);
+        assert_eq!(
+            (divided(&Laurent::default(), &sum), divided(&sum, &Laurent::default())),
+            (Some(Laurent::default()), None)
+        );
+        // A divisor of all, with signs and monomials left out, and long numbers that no digits show.
+        let all = vec![Laurent::default(), -sum.clone() * x.clone(), &sum * &sum];
+        assert_eq!(common_divisor(all), sum);
+        let long = Laurent::constant(BigInt::one() << 120_000) + x.clone();
+        let product = |other: i64| &long * &(x.clone() - Laurent::integer(other));
+        assert_eq!(heuristic_divisor(&product(1), &product(2)), None);
+        assert_eq!(greatest_common_divisor(&product(1), &product(2)), long);
+    }
+}

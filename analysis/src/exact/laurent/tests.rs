@@ -2,7 +2,7 @@ use super::divisor::square_free_factors;
 use super::*;
 use proptest::prelude::*;
 
-fn laurent() -> impl Strategy<Value = Laurent> {
+pub(super) fn laurent() -> impl Strategy<Value = Laurent> {
     let term = (-2i16..3, -2i16..3, 0i16..3, -9i64..9).prop_map(|(z, e, name, value)| {
         let mut exponents = [0; VARIABLES];
         (exponents[0], exponents[1], exponents[4]) = (z, e, name);
@@ -32,6 +32,22 @@ proptest! {
         prop_assert_eq!(value(&(a.clone() - b.clone())), value(&a) - value(&b));
         prop_assert_eq!(value(&(&a * &b)) * &scale, value(&a) * value(&b));
         prop_assert_eq!((&a * &b).conjugate(), a.conjugate() * b.conjugate());
+    }
+
+    #[test]
+    fn products_are_the_same_in_a_box_and_out_of_it(a in laurent(), b in laurent(), apart in 1i16..60, big in any::<i64>()) {
+        // Exponents far apart leave most of a box empty.
+        let spread = |p: &Laurent, factor: i64| {
+            let terms = p.terms().iter().map(|(e, c)| (e.map(|power| power * apart), c * factor));
+            Laurent::new(terms.collect())
+        };
+        for factor in [1, big] {
+            let (a, b) = (spread(&a, factor), spread(&b, factor));
+            let pairs = a.terms().iter().flat_map(|(e, x)| b.terms().iter().map(move |(f, y)| {
+                (std::array::from_fn(|v| e[v] + f[v]), x * y)
+            }));
+            prop_assert_eq!(&a * &b, Laurent::new(pairs.collect()));
+        }
     }
 
     #[test]

@@ -6,13 +6,12 @@
 
 use crate::exact::laurent::{Laurent, VARIABLES, Variable};
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, numerator_over};
+use crate::exact::rational::{Rational, least_multiple, numerator_over, reduced};
 use crate::scheme::kernel_function::KernelFunction;
 use crate::scheme::names::{Letter, LetterKind};
 use crate::scheme::one_step::OffsetCoefficient;
 use crate::scheme::step::{Step, laurent_of};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
@@ -84,7 +83,8 @@ pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coeffici
         let letters = letters_of(exponents);
         products.entry(letters).or_insert_with_key(|letters| product(letters, &values));
     }
-    let common = products.values().fold(BigInt::one(), |all, p| all.lcm(&p.denominator));
+    let common =
+        products.values().fold(BigInt::one(), |all, p| least_multiple(&all, &p.denominator));
     let mut sums: BTreeMap<i64, Vec<(BigInt, BigInt)>> = BTreeMap::new();
     for (exponents, value) in gain.terms() {
         let power = usize::try_from(exponents[parameter.0]).ok()?;
@@ -102,7 +102,8 @@ pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coeffici
     }
     let total = common * scale;
     let coefficients = sums.into_iter().map(|(offset, powers)| {
-        let over = |(center, radius)| (quotient(center, &total), quotient(radius, &total.abs()));
+        let over =
+            |(center, radius)| (reduced(center, total.clone()), reduced(radius, total.abs()));
         let (centers, radii) = powers.into_iter().map(over).unzip();
         (offset, Polynomial::new(centers), Polynomial::new(radii))
     });
@@ -136,18 +137,6 @@ pub(super) fn coefficients_on_torus(
     }
     let coefficient = |(offset, powers)| (offset, Polynomial::new(powers), Polynomial::zero());
     Some(values.into_iter().map(coefficient).collect())
-}
-
-/// A fraction in lowest terms: powers of two, often all that there is, come out without a general gcd.
-fn quotient(numerator: BigInt, denominator: &BigInt) -> Rational {
-    let Some(twos) = numerator.trailing_zeros() else { return Rational::zero() };
-    let twos = twos.min(denominator.trailing_zeros().unwrap_or(0));
-    let (numerator, denominator) = (numerator >> twos, denominator >> twos);
-    let odd = denominator.trailing_zeros().map(|zeros| &denominator >> zeros);
-    match odd {
-        Some(odd) if odd.is_one() => Rational::new_raw(numerator, denominator),
-        _ => Rational::new(numerator, denominator),
-    }
 }
 
 /// At `E = 1`.
@@ -198,7 +187,7 @@ fn in_shifts(
 
 /// `Σ_k f(k) E^{±k}`.
 fn shifts(function: &KernelFunction, sign: i64) -> Shifts {
-    let denominator = function.denominator.lcm(function.radius.denom());
+    let denominator = least_multiple(&function.denominator, function.radius.denom());
     let factor = &denominator / &function.denominator;
     let radius = numerator_over(&function.radius, &denominator);
     let terms = (1..).zip(&function.numerators);
@@ -207,7 +196,7 @@ fn shifts(function: &KernelFunction, sign: i64) -> Shifts {
 }
 
 fn number(value: &Rational, radius: &Rational) -> Shifts {
-    let denominator = value.denom().lcm(radius.denom());
+    let denominator = least_multiple(value.denom(), radius.denom());
     let pair = (numerator_over(value, &denominator), numerator_over(radius, &denominator));
     Shifts { terms: [(0, pair)].into_iter().collect(), denominator }
 }

@@ -1,8 +1,8 @@
 use super::*;
 use crate::exact::laurent::{VARIABLES, Variable};
 use crate::exact::rational::{ratio, to_f64};
-use crate::stability::Condition;
 use crate::stability::testing::{inequality, margin};
+use crate::stability::{Condition, decide_at};
 
 /// What `q(s) + c` within a radius says at `t = 1`, written so that no factor comes out whatever `t`.
 fn demand(q: &[i64], c: i64, radius: i64) -> Demands {
@@ -10,6 +10,14 @@ fn demand(q: &[i64], c: i64, radius: i64) -> Demands {
     first[0] += c - 1;
     let margin = margin(&[&first, &[1]], &integer(radius));
     Demands::All(vec![inequality(Condition::PlusOne, margin)])
+}
+
+fn rank<W>(verdict: &PointVerdict<W>) -> usize {
+    match verdict {
+        PointVerdict::Stable => 0,
+        PointVerdict::Undecided => 1,
+        PointVerdict::Unstable(_) => 2,
+    }
 }
 
 fn together(demands: &[Demands]) -> Demands {
@@ -29,8 +37,11 @@ fn what_the_radius_leaves_open_is_not_decided() {
         for c in -2..=2 {
             for radius in 0..=1 {
                 let demands = demand(shape, c, radius);
+                // Sturm's theorem is another road.
+                let Demands::All(all) = &demands else { unreachable!() };
+                let other = decide_at(&all[0].margin, &integer(1));
                 let Some(at) = DemandsAt::of_parameter(&demands, &integer(1)) else {
-                    assert!(shape == [0] && (c, radius) == (0, 0));
+                    assert!(shape == [0] && (c, radius) == (0, 0) && rank(&other) == 0);
                     continue;
                 };
                 let decided = at.decide();
@@ -45,6 +56,7 @@ fn what_the_radius_leaves_open_is_not_decided() {
                     }
                 }
                 assert_eq!(at.are_strict(), c - radius > 0, "{case}");
+                assert_eq!(rank(&other), rank(&decided), "{case}");
             }
         }
     }
@@ -54,19 +66,15 @@ fn what_the_radius_leaves_open_is_not_decided() {
 fn one_demand_that_is_violated_or_open_is_enough() {
     // Kept with something to spare, kept, open, violated.
     let four = [(2, 0), (0, 0), (0, 1), (-1, 0)].map(|(c, radius)| demand(SHAPES[1], c, radius));
-    let rank = |demands: &Demands| {
+    let place = |demands: &Demands| {
         let at = DemandsAt::of_parameter(demands, &integer(1)).unwrap();
-        let rank = match at.decide() {
-            PointVerdict::Stable => usize::from(!at.are_strict()),
-            PointVerdict::Undecided => 2,
-            PointVerdict::Unstable(_) => 3,
-        };
-        assert_eq!(at.are_strict(), rank == 0);
-        rank
+        let place = rank(&at.decide()) + usize::from(!at.are_strict());
+        assert_eq!(at.are_strict(), place == 0);
+        place
     };
     for (i, first) in four.iter().enumerate() {
         for (j, second) in four.iter().enumerate() {
-            assert_eq!(rank(&together(&[first.clone(), second.clone()])), i.max(j), "{i} {j}");
+            assert_eq!(place(&together(&[first.clone(), second.clone()])), i.max(j), "{i} {j}");
         }
     }
     let [nowhere, unknown] = [Demands::Nowhere(2), Demands::Unknown].map(|demands| {

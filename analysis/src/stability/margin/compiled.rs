@@ -4,6 +4,7 @@ use super::{Margin, degree};
 use crate::exact::cosine_series::CosineSeries;
 use crate::exact::rational::{quotient_to_f64, ratio, to_f64};
 use num_bigint::BigInt;
+use pulp::{Arch, Simd, WithSimd};
 
 /// [`Margin`] in `f64`. Near `φ = 0` it has no cancellation: the small factor stands outside.
 #[derive(Debug, Clone)]
@@ -44,6 +45,24 @@ impl CompiledMargin {
         let cosine = phase.cos();
         values.clear();
         values.extend(self.series.iter().map(|series| series.at_cosine(cosine)));
+    }
+
+    /// [`powers_at`](Self::powers_at) many phases: `[phase][power]`.
+    pub(crate) fn powers_on(&self, phases: &[f64]) -> Vec<f64> {
+        let powers = self.powers();
+        let mut values = vec![0.0; phases.len() * powers];
+        Arch::new().dispatch(Sampling { series: &self.series, phases, values: &mut values });
+        values
+    }
+
+    /// The sum of the moduli of all terms: what rounding errors of [`powers_at`](Self::powers_at) put together at `t` are a part of.
+    pub(crate) fn size_at(&self, parameter: f64) -> f64 {
+        let moduli =
+            |series: &CosineSeries<f64>| series.coefficients().iter().map(|r| r.abs()).sum();
+        self.series.iter().rev().fold(0.0, |sum, series| {
+            let moduli: f64 = moduli(series);
+            sum * parameter + moduli
+        })
     }
 
     /// The factor `s^a (1 − s)^b H²`.
@@ -90,6 +109,43 @@ impl CompiledMargin {
     /// `|g| − 1` without cancellation.
     pub fn growth(&self, courant_number: f64, phase: f64) -> f64 {
         growth_from_excess(self.budget - 1.0 - self.at(courant_number, phase))
+    }
+}
+
+struct Sampling<'a> {
+    series: &'a [CosineSeries<f64>],
+    phases: &'a [f64],
+    values: &'a mut [f64],
+}
+
+impl WithSimd for Sampling<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let (lanes, powers) = (S::F64_LANES, self.series.len());
+        let cosines: Vec<f64> = self.phases.iter().map(|phase| phase.cos()).collect();
+        let mut sums = vec![0.0; lanes];
+        for (cosines, values) in cosines.chunks(lanes).zip(self.values.chunks_mut(lanes * powers)) {
+            let cosine = simd.partial_load_f64s(cosines);
+            let twice = simd.add_f64s(cosine, cosine);
+            for (power, series) in self.series.iter().enumerate() {
+                // Clenshaw's recurrence, in the order of `clenshaw`: the bits are the same.
+                let (mut first, mut second) = (simd.splat_f64s(0.0), simd.splat_f64s(0.0));
+                let Some((constant, rest)) = series.coefficients().split_first() else { continue };
+                for value in rest.iter().rev() {
+                    let next = simd.sub_f64s(simd.splat_f64s(*value), second);
+                    second = first;
+                    first = simd.add_f64s(simd.mul_f64s(twice, first), next);
+                }
+                let constant = simd.sub_f64s(simd.splat_f64s(*constant), second);
+                let sum = simd.add_f64s(simd.mul_f64s(cosine, first), constant);
+                simd.partial_store_f64s(&mut sums, sum);
+                for (values, sum) in values.chunks_exact_mut(powers).zip(&sums) {
+                    values[power] = *sum;
+                }
+            }
+        }
     }
 }
 

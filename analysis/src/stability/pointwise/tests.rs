@@ -279,3 +279,14 @@ fn enclosed_coefficients_may_leave_it_open_and_never_guess() {
     let set = set_of(&of("lax-wendroff-sph"), integer(9));
     assert!(set.intervals.is_empty() && !set.undecided.is_empty(), "{set:?}");
 }
+
+#[test]
+fn at_zero_powers_of_the_parameter_that_came_out_count() {
+    let at_zero = |powers: &[&[i64]]| {
+        let margin = crate::stability::testing::margin(powers, &integer(0));
+        decide_at(&margin, &integer(0)) == PointVerdict::Stable
+    };
+    // −t and 0 vanish there, t − 1 does not.
+    assert!(at_zero(&[&[0], &[-1]]) && at_zero(&[&[0]]) && at_zero(&[&[1], &[-1]]));
+    assert!(!at_zero(&[&[-1], &[1]]));
+}

@@ -7,8 +7,8 @@ use crate::exact::descartes::sign_changes;
 use crate::exact::discriminant::primitive;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
-    Rational, from_f64, integer, simplest_between, square_root_enclosure, to_f64, to_f64_above,
-    to_f64_below,
+    Rational, compare, from_f64, integer, product, simplest_between, square_root_enclosure, to_f64,
+    to_f64_above, to_f64_below,
 };
 use crate::exact::real_roots::{RealRoot, real_roots, root_near};
 use crate::stability::critical::{Critical, refine};
@@ -16,6 +16,7 @@ use crate::stability::margin::Margin;
 use crate::stability::{Evidence, ExactValue, Limit};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
+use std::f64::consts::PI;
 
 /// Roots in `t` are enclosed to so many bits more than an edge: far below its width.
 const GUARD_BITS: u32 = 20;
@@ -23,6 +24,12 @@ const GUARD_BITS: u32 = 20;
 /// Roots that may be fractions are enclosed to at least this many: two fractions that close together have
 /// denominators above 2^100.
 const FRACTION_BITS: u32 = 200;
+
+/// Enclosures of up to this width, as a power of one half, take the wave from floating point.
+const FLOAT_BITS: u32 = 48;
+
+/// What is below this part of the sum of all terms may be zero.
+const ROUNDING: f64 = 1e-11;
 
 /// An end of a stretch in `t`: nothing is claimed strictly between `lower` and `upper`.
 #[derive(Debug, Clone)]
@@ -67,8 +74,10 @@ impl Search<'_> {
 
     /// The critical `t` at the refined phase, exactly: stability certainly fails on one side of it.
     pub(super) fn interior_edge(&mut self, refined: Critical) -> Option<Edge> {
-        let s = touching_point(self.margin, refined, self.root_bits())
-            .unwrap_or_else(|| super::phase_parameter(refined.phase));
+        // The wave enters squared: half the digits, which floating point has, serve a limit of its width.
+        let exactly = || touching_point(self.margin, refined, self.root_bits());
+        let s = (self.bits > FLOAT_BITS).then(exactly).flatten();
+        let s = s.unwrap_or_else(|| short_phase_parameter(refined.phase));
         let root = self.root_near(&s, refined.parameter, 1e-3)?;
         Some(Edge { lower: root.lower, upper: root.upper, s })
     }
@@ -84,20 +93,25 @@ impl Search<'_> {
         if guess <= 0.0 {
             return None;
         }
+        if s.is_integer() && !self.may_vanish_at_end(s.is_one(), guess, tolerance) {
+            return None;
+        }
         let mut enclosure: Option<RealRoot> = None;
         let shifts: &[i64] = if self.margin.is_exact() { &[0] } else { &[-1, 1] };
         let center = from_f64(guess)?;
-        let from = &center * from_f64(1.0 - tolerance)?;
-        let to = (&center * from_f64(1.0 + tolerance)?).min(self.end.clone());
+        let from = product(&center, &from_f64(1.0 - tolerance)?);
+        let to = product(&center, &from_f64(1.0 + tolerance)?).min(self.end.clone());
         for &shift in shifts {
             self.work.evaluations += 1;
-            let coefficients = self.form.integers_at(s, shift);
+            let coefficients = self.integers_at(s, shift);
             let nearest = if s.is_integer() && self.margin.is_exact() {
                 fraction_or_root(coefficients, guess, &from, &to, self.root_bits())
             } else {
                 root_near(&coefficients, guess, self.root_bits())
             };
-            let nearest = nearest.filter(|root| root.lower > from && root.upper <= to)?;
+            let nearest = nearest.filter(|root| {
+                compare(&root.lower, &from).is_gt() && compare(&root.upper, &to).is_le()
+            })?;
             enclosure = Some(match enclosure {
                 None => nearest,
                 Some(first) => RealRoot {
@@ -107,6 +121,17 @@ impl Search<'_> {
             });
         }
         enclosure
+    }
+
+    /// Whether floating point sees the margin vanish at an end of the phase range, `s = 1` or 0, within a part of `t`.
+    fn may_vanish_at_end(&self, shortest: bool, t: f64, tolerance: f64) -> bool {
+        let mut powers = Vec::new();
+        self.compiled.powers_at(if shortest { PI } else { 0.0 }, &mut powers);
+        let value = powers.iter().rev().fold(0.0, |sum, power| sum * t + power);
+        let (change, _) = powers.iter().zip(0..).fold((0.0, 1.0), |(sum, t_power), (power, j)| {
+            (sum + f64::from(j) * (power * t_power).abs(), t_power * t)
+        });
+        value.abs() <= 4.0 * tolerance * change + ROUNDING * self.compiled.size_at(t)
     }
 
     /// An edge in `t` as a limit on `C`: a closed form, a root of a polynomial, or an enclosure.
@@ -159,6 +184,12 @@ impl Search<'_> {
             _ => (lower.clone(), upper.clone()),
         }
     }
+}
+
+/// `s = sin²(φ/2)` of a wave known to half the digits of an `f64`, with no more than these.
+fn short_phase_parameter(phase: f64) -> Rational {
+    let s = to_f64(&super::phase_parameter(phase));
+    from_f64(f64::from_bits(s.to_bits() >> 24 << 24)).expect("it was finite")
 }
 
 /// Where the margin touches zero, `P = ∂P/∂s = 0`, by Newton's method from a guess that floating point finds to

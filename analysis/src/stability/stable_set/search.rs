@@ -4,7 +4,7 @@ use super::edge::Edge;
 use super::stable_stretch::Stretch;
 use super::{DEFAULT_BITS, MAX_BOXES, MAX_PATIENCE, StableInterval, StableSet};
 use crate::exact::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
-use crate::exact::rational::{Rational, integer, to_f64};
+use crate::exact::rational::{Rational, integer, product, to_f64};
 use crate::exact::real_roots::power_of_two;
 use crate::stability::critical::{UnstableInterval, resolving_phases, sampled_unstable_set};
 use crate::stability::critical_polynomial::CriticalPolynomials;
@@ -46,9 +46,13 @@ pub(super) struct Search<'a> {
     pub(super) budget: usize,
     /// How many pieces of an unstable stretch may resist.
     pub(super) patience: usize,
+    /// Whether the search ends with the first stable stretch.
+    first_only: bool,
     pub(super) critical: OnceCell<Option<CriticalPolynomials>>,
     pub(super) touches: usize,
     pub(super) work: Work,
+    /// The last wave asked for, with its shift and its integers.
+    last_wave: Option<(Rational, i64, Vec<BigInt>)>,
 }
 
 impl<'a> Search<'a> {
@@ -66,17 +70,37 @@ impl<'a> Search<'a> {
             known: Rational::zero(),
             budget: usize::MAX,
             patience: MAX_PATIENCE,
+            first_only: false,
             end,
             bits,
             critical: OnceCell::new(),
             touches: 0,
             work: Work::default(),
+            last_wave: None,
+        }
+    }
+
+    /// [`MarginForm::integers_at`]; a wave is often asked for twice.
+    pub(super) fn integers_at(&mut self, s: &Rational, shift: i64) -> Vec<BigInt> {
+        let shift = if self.margin.is_exact() { 0 } else { shift };
+        match &self.last_wave {
+            Some((known, at, values)) if known == s && *at == shift => values.clone(),
+            _ => {
+                let values = self.form.integers_at(s, shift);
+                self.last_wave = Some((s.clone(), shift, values.clone()));
+                values
+            }
         }
     }
 
     /// With no more boxes for one decision.
     pub(super) fn within(self, budget: usize) -> Self {
         Self { budget, ..self }
+    }
+
+    /// Ends with the first stable stretch, or does not.
+    pub(super) fn first_only(self, first_only: bool) -> Self {
+        Self { first_only, ..self }
     }
 
     /// Gives up unstable stretches after so many pieces that resist.
@@ -151,6 +175,9 @@ impl<'a> Search<'a> {
                     s
                 }
             };
+            if self.first_only {
+                break;
+            }
             match self.unstable_stretch(&from.upper, witness) {
                 (None, gaps) => {
                     undecided.extend(gaps);
@@ -167,12 +194,8 @@ impl<'a> Search<'a> {
             intervals,
             undecided,
             immediately_unstable,
-            immediate_binding: None,
-            immediate_offset: None,
-            neutral: false,
-            evidence,
             work: self.work,
-            at_zero: true,
+            ..StableSet::empty(evidence)
         }
     }
 
@@ -228,10 +251,13 @@ impl<'a> Search<'a> {
     /// Whether the wave with this `s` is unstable on some interval `(from, from + δ)`.
     pub(super) fn is_unstable_just_above(&mut self, from: &Rational, s: &Rational) -> bool {
         self.work.evaluations += 1;
-        let values = self.form.integers_at(s, 1);
-        let step =
-            if from.is_zero() { &self.end * power_of_half(60) } else { from * power_of_half(60) };
-        is_negative_integer_polynomial(&values, from, &(from + step)) == Some(true)
+        let values = self.integers_at(s, 1);
+        let to = if from.is_zero() {
+            product(&self.end, &power_of_half(60))
+        } else {
+            product(from, &(integer(1) + power_of_half(60)))
+        };
+        is_negative_integer_polynomial(&values, from, &to) == Some(true)
     }
 
     /// The wave that grows fastest as `C → 0`: the best sample, then its surroundings cut by the golden section.

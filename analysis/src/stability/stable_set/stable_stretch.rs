@@ -4,7 +4,7 @@ use super::edge::Edge;
 use super::phase_parameter;
 use super::search::{Counterexample, Search, power_of_half};
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, integer, simplest_between, to_f64};
+use crate::exact::rational::{Rational, integer, product, simplest_between, to_f64};
 use crate::exact::real_roots::real_roots;
 use crate::stability::critical::refine;
 use num_traits::Zero;
@@ -61,7 +61,8 @@ impl Search<'_> {
                 // The lowered margin vanishes at this very end, which boxes need not see, and the data may not
                 // justify what is asked for.
                 lowers.extend(
-                    self.widths().map(|bits| &root.lower * (integer(1) - power_of_half(bits - 2))),
+                    self.widths()
+                        .map(|bits| product(&root.lower, &(integer(1) - power_of_half(bits - 2)))),
                 );
             }
             for lower in lowers {
@@ -83,7 +84,7 @@ impl Search<'_> {
             counterexample = Some(None);
         } else if let Some(edge) = interior {
             for bits in self.widths() {
-                let lower = &edge.upper * (integer(1) - power_of_half(bits));
+                let lower = product(&edge.upper, &(integer(1) - power_of_half(bits)));
                 if lower <= *from {
                     break;
                 }

@@ -94,17 +94,8 @@ impl<'a> Walk<'a> {
     }
 
     fn run(&mut self) -> StableSet {
-        let mut set = StableSet {
-            intervals: Vec::new(),
-            undecided: Vec::new(),
-            immediately_unstable: None,
-            immediate_binding: None,
-            immediate_offset: None,
-            neutral: self.search.inequalities.iter().all(|one| one.cells.is_empty()),
-            evidence: Evidence::Proved,
-            work: Default::default(),
-            at_zero: true,
-        };
+        let neutral = self.search.inequalities.iter().all(|one| one.cells.is_empty());
+        let mut set = StableSet { neutral, ..StableSet::empty(Evidence::Proved) };
         let zero = Edge { lower: Rational::zero(), upper: Rational::zero(), spot: None };
         let mut from = zero.clone();
         let mut reached = self.plan.known.pow(self.stride as i32).min(self.search.end.clone());
@@ -169,6 +160,9 @@ impl<'a> Walk<'a> {
             };
             if edge.upper > from.upper {
                 set.intervals.push(self.ended(from, &edge, wave));
+            }
+            if self.plan.first_only {
+                break;
             }
             match self.unstable_stretch(until) {
                 Ok(None) => break,

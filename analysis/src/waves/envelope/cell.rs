@@ -1,6 +1,6 @@
 //! The polynomial of `f` in one cell, in powers of the distance from its node over half its width, and its maximum on `[−1, 1]`.
 
-use super::{LANES, Lanes};
+use pulp::Simd;
 
 /// Terms of the polynomial of a cell: what is left out is below `(π/8)^12/12! = 3e-14` of the range (Bernstein's inequality).
 pub(super) const TERMS: usize = 12;
@@ -13,117 +13,132 @@ const MOST_STEPS: usize = 60;
 
 pub(super) type CellPolynomial = [f64; TERMS];
 
+/// The polynomials of the lanes, term by term.
+pub(super) type LaneCells<S> = [<S as Simd>::f64s; TERMS];
+
+/// The polynomials of one cell, from those of all powers of `t`.
+#[inline(always)]
+pub(super) fn polynomials_in<S: Simd>(
+    simd: S,
+    cells: &[CellPolynomial],
+    t: S::f64s,
+) -> LaneCells<S> {
+    let mut sums = [simd.splat_f64s(0.0); TERMS];
+    for cell in cells.iter().rev() {
+        for m in 0..TERMS {
+            sums[m] = simd.add_f64s(simd.mul_f64s(sums[m], t), simd.splat_f64s(cell[m]));
+        }
+    }
+    sums
+}
+
 /// The polynomials of the lanes at their places.
 #[inline(always)]
-pub(super) fn horner_in(terms: &[Lanes; TERMS], places: &Lanes) -> Lanes {
-    let mut sum = [0.0; LANES];
-    for term in terms.iter().rev() {
-        for lane in 0..LANES {
-            sum[lane] = sum[lane] * places[lane] + term[lane];
-        }
+pub(super) fn horner_in<S: Simd>(simd: S, terms: &LaneCells<S>, places: S::f64s) -> S::f64s {
+    let mut sum = terms[TERMS - 1];
+    for m in (0..TERMS - 1).rev() {
+        sum = simd.add_f64s(simd.mul_f64s(sum, places), terms[m]);
     }
     sum
 }
 
-/// Whether the polynomial is certainly concave in the cell.
+/// The polynomials about the middle of a half of `[−1, 1]`, ±1/2, in powers of the distance over half its width.
 #[inline(always)]
-pub(super) fn is_concave(cell: &CellPolynomial) -> bool {
-    let bend: f64 = (3..TERMS).map(|m| (m * (m - 1)) as f64 * cell[m].abs()).sum();
-    2.0 * cell[2] + bend < 0.0
-}
-
-/// Whether the slope may vanish in the cell.
-#[inline(always)]
-pub(super) fn may_turn(cell: &CellPolynomial) -> bool {
-    let change: f64 = (2..TERMS).map(|m| m as f64 * cell[m].abs()).sum();
-    cell[1].abs() <= change
-}
-
-/// The maxima of concave polynomials on `[−1, 1]`, and the steps it took: Newton's method for the slope within a bracket.
-#[inline(always)]
-pub(super) fn newton(terms: &[Lanes; TERMS]) -> (Lanes, usize) {
-    let (mut lower, mut upper) = ([-1.0; LANES], [1.0; LANES]);
-    let (mut first, mut last) = ([0.0; LANES], [0.0; LANES]);
-    for (m, term) in terms.iter().enumerate().skip(1) {
-        let sign = if m % 2 == 0 { -1.0 } else { 1.0 };
-        for lane in 0..LANES {
-            let slope = m as f64 * term[lane];
-            last[lane] += slope;
-            first[lane] += sign * slope;
-        }
-    }
-    let mut places = [0.0; LANES];
-    for lane in 0..LANES {
-        // A cell that only rises or only falls has its maximum at an end.
-        lower[lane] = if last[lane] >= 0.0 { 1.0 } else { -1.0 };
-        upper[lane] = if first[lane] <= 0.0 { -1.0 } else { 1.0 };
-        let vertex = -0.5 * terms[1][lane] / terms[2][lane];
-        let vertex = if vertex < lower[lane] { lower[lane] } else { vertex };
-        places[lane] = if vertex > upper[lane] { upper[lane] } else { vertex };
-    }
-    for step in 1..=MOST_STEPS {
-        let (mut slope, mut bend) = ([0.0; LANES], [0.0; LANES]);
-        for m in (1..TERMS).rev() {
-            for lane in 0..LANES {
-                bend[lane] = bend[lane] * places[lane] + slope[lane];
-                slope[lane] = slope[lane] * places[lane] + m as f64 * terms[m][lane];
-            }
-        }
-        let mut moved = 0.0f64;
-        for lane in 0..LANES {
-            let (at, rises) = (places[lane], slope[lane] > 0.0);
-            lower[lane] = if rises { at } else { lower[lane] };
-            upper[lane] = if rises { upper[lane] } else { at };
-            let next = at - slope[lane] / bend[lane];
-            let inside = next >= lower[lane] && next <= upper[lane];
-            let middle = 0.5 * (lower[lane] + upper[lane]);
-            places[lane] = if inside { next } else { middle };
-            let distance = (places[lane] - at).abs();
-            moved = if distance > moved { distance } else { moved };
-        }
-        if moved <= CLOSE {
-            return (places, step);
-        }
-    }
-    (places, MOST_STEPS)
-}
-
-/// The maximum on `[middle − radius, middle + radius]`, if it exceeds the best known `(value, place)`.
-pub(super) fn search_halves(
-    cell: &CellPolynomial,
-    (middle, radius): (f64, f64),
-    halvings: usize,
-    best: &mut (f64, f64),
-) {
-    // The polynomial about the middle, in powers of the distance over the radius.
-    let mut here = *cell;
+pub(super) fn half<S: Simd>(simd: S, terms: &LaneCells<S>, middle: f64) -> LaneCells<S> {
+    let mut here = *terms;
+    let middle = simd.splat_f64s(middle);
     for first in 0..TERMS {
         for m in (first..TERMS - 1).rev() {
-            here[m] += middle * here[m + 1];
+            here[m] = simd.add_f64s(here[m], simd.mul_f64s(middle, here[m + 1]));
         }
     }
     let mut scale = 1.0;
     for term in &mut here {
-        *term *= scale;
-        scale *= radius;
+        *term = simd.mul_f64s(*term, simd.splat_f64s(scale));
+        scale *= 0.5;
     }
-    let rise: f64 = here[1..].iter().map(|term| term.abs()).sum();
-    if here[0] > best.0 {
-        *best = (here[0], middle);
-    }
-    if here[0] + rise <= best.0 || !may_turn(&here) || halvings == 0 {
-        return;
-    }
-    if is_concave(&here) {
-        let terms = here.map(|term| [term; LANES]);
-        let places = newton(&terms).0;
-        let value = horner_in(&terms, &places)[0];
-        if value > best.0 {
-            *best = (value, middle + radius * places[0]);
+    here
+}
+
+/// Bounds on what polynomials do on `[−1, 1]`.
+pub(super) struct Shape<S: Simd> {
+    /// How far they may rise above, or fall below, their value in the middle.
+    pub(super) rise: S::f64s,
+    /// How much the slope may change.
+    pub(super) change: S::f64s,
+    /// How much the second derivative may change.
+    pub(super) bend: S::f64s,
+}
+
+impl<S: Simd> Shape<S> {
+    #[inline(always)]
+    pub(super) fn of(simd: S, terms: &LaneCells<S>) -> Self {
+        let zero = simd.splat_f64s(0.0);
+        let mut shape = Self { rise: zero, change: zero, bend: zero };
+        for (m, term) in terms.iter().enumerate().skip(1) {
+            let modulus = simd.abs_f64s(*term);
+            shape.rise = simd.add_f64s(shape.rise, modulus);
+            if m >= 2 {
+                let slope = simd.mul_f64s(simd.splat_f64s(m as f64), modulus);
+                shape.change = simd.add_f64s(shape.change, slope);
+            }
+            if m >= 3 {
+                let second = simd.mul_f64s(simd.splat_f64s((m * (m - 1)) as f64), modulus);
+                shape.bend = simd.add_f64s(shape.bend, second);
+            }
         }
-        return;
+        shape
     }
-    let half = 0.5 * radius;
-    search_halves(cell, (middle - half, half), halvings - 1, best);
-    search_halves(cell, (middle + half, half), halvings - 1, best);
+}
+
+/// The maxima of concave polynomials on `[−1, 1]`, and the steps it took: Newton's method for the slope within a bracket. A lane that
+/// has found its maximum waits for the others; those that are not live end anywhere.
+#[inline(always)]
+pub(super) fn newton<S: Simd>(
+    simd: S,
+    terms: &LaneCells<S>,
+    mut live: S::m64s,
+) -> (S::f64s, usize) {
+    let [zero, one, close] = [simd.splat_f64s(0.0), simd.splat_f64s(1.0), simd.splat_f64s(CLOSE)];
+    let [minus_one, one_half] = [simd.splat_f64s(-1.0), simd.splat_f64s(0.5)];
+    let mut slopes = *terms;
+    let (mut first, mut last) = (zero, zero);
+    for m in 1..TERMS {
+        slopes[m] = simd.mul_f64s(simd.splat_f64s(m as f64), terms[m]);
+        last = simd.add_f64s(last, slopes[m]);
+        first = match m % 2 {
+            0 => simd.sub_f64s(first, slopes[m]),
+            _ => simd.add_f64s(first, slopes[m]),
+        };
+    }
+    // A cell that only rises or only falls has its maximum at an end.
+    let mut lower = simd.select_f64s(simd.greater_than_or_equal_f64s(last, zero), one, minus_one);
+    let mut upper = simd.select_f64s(simd.less_than_or_equal_f64s(first, zero), minus_one, one);
+    let vertex = simd.div_f64s(simd.mul_f64s(simd.splat_f64s(-0.5), terms[1]), terms[2]);
+    let raised = simd.select_f64s(simd.less_than_f64s(vertex, lower), lower, vertex);
+    let mut places = simd.select_f64s(simd.greater_than_f64s(raised, upper), upper, raised);
+    for step in 1..=MOST_STEPS {
+        let (mut slope, mut bend) = (slopes[TERMS - 1], zero);
+        for m in (1..TERMS - 1).rev() {
+            bend = simd.add_f64s(simd.mul_f64s(bend, places), slope);
+            slope = simd.add_f64s(simd.mul_f64s(slope, places), slopes[m]);
+        }
+        let rises = simd.greater_than_f64s(slope, zero);
+        lower = simd.select_f64s(rises, places, lower);
+        upper = simd.select_f64s(rises, upper, places);
+        let next = simd.sub_f64s(places, simd.div_f64s(slope, bend));
+        let inside = simd.and_m64s(
+            simd.greater_than_or_equal_f64s(next, lower),
+            simd.less_than_or_equal_f64s(next, upper),
+        );
+        let middle = simd.mul_f64s(one_half, simd.add_f64s(lower, upper));
+        let next = simd.select_f64s(inside, next, middle);
+        let distance = simd.abs_f64s(simd.sub_f64s(next, places));
+        places = simd.select_f64s(live, next, places);
+        live = simd.and_m64s(live, simd.greater_than_f64s(distance, close));
+        if simd.first_true_m64s(live) >= S::F64_LANES {
+            return (places, step);
+        }
+    }
+    (places, MOST_STEPS)
 }

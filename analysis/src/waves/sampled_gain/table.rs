@@ -5,7 +5,7 @@ use super::super::envelope::{LANES, Lanes};
 use super::largest_excess;
 use super::largest_root::LargestRoots;
 use num_complex::Complex64;
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 /// Waves with their coefficients.
 pub(super) struct Table {
@@ -40,13 +40,23 @@ impl Table {
     pub(super) fn excess(&self, parameters: &[f64]) -> Vec<Lanes> {
         let t: Lanes = std::array::from_fn(|lane| parameters[lane.min(parameters.len() - 1)]);
         debug_assert!(parameters.len() <= LANES);
-        Arch::new().dispatch(
-            #[inline(always)]
-            || {
-                let mut roots = LargestRoots::new(self.degree);
-                let waves = self.coefficients.chunks_exact(self.powers * (self.degree + 1));
-                waves.map(|wave| roots.excess(wave, self.powers, &t)).collect()
-            },
-        )
+        Arch::new().dispatch(Excess { samples: self, t: &t })
+    }
+}
+
+struct Excess<'a> {
+    samples: &'a Table,
+    t: &'a Lanes,
+}
+
+impl WithSimd for Excess<'_> {
+    type Output = Vec<Lanes>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        let Table { coefficients, degree, powers } = self.samples;
+        let mut roots = LargestRoots::new(*degree);
+        let waves = coefficients.chunks_exact(powers * (degree + 1));
+        waves.map(|wave| roots.excess(wave, *powers, self.t)).collect()
     }
 }
