@@ -5,6 +5,11 @@
 //! use courant_reports::page::Item;
 //! let text = PaperText::from_toml(r#"
 //!     command = "courant report example"
+//!     [paper]
+//!     name = "example"
+//!     title = "An example"
+//!     citation = "Somebody: Something, Somewhere 1 (2000)"
+//!     summary = "It shows errors."
 //!     [[item]]
 //!     name = "errors"
 //!     description = "errors of every run"
@@ -60,6 +65,24 @@ struct ItemText {
     columns: Vec<String>,
     /// What makes it again, if not the command of the report.
     command: Option<String>,
+    /// The part of the report that begins here: what makes this item and the following ones.
+    part: Option<String>,
+}
+
+/// A paper that is computed again.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Paper {
+    /// What it is called on the command line and in paths.
+    pub name: String,
+    /// The heading of its page.
+    pub title: String,
+    /// Authors, title and place.
+    pub citation: String,
+    /// Its digital object identifier, if it has one.
+    pub doi: Option<String>,
+    /// What its page shows.
+    pub summary: String,
 }
 
 /// The words of the report on a paper.
@@ -67,6 +90,8 @@ struct ItemText {
 #[serde(deny_unknown_fields)]
 pub struct PaperText {
     command: String,
+    /// The paper itself.
+    pub paper: Paper,
     #[serde(rename = "item")]
     items: Vec<ItemText>,
 }
@@ -88,6 +113,12 @@ impl PaperText {
             description: &item.description,
             source: &item.source,
         })
+    }
+
+    /// The name of the part of the report that makes an item.
+    pub fn part_of(&self, name: &str) -> Option<&str> {
+        let until = self.items.iter().position(|item| item.name == name)?;
+        self.items[..=until].iter().rev().find_map(|item| item.part.as_deref())
     }
 
     fn item(&self, name: &str) -> &ItemText {

@@ -41,6 +41,11 @@ impl OutputDirectory {
         Ok(Self { path: path.to_owned() })
     }
 
+    /// A directory in it.
+    pub fn below(&self, name: &str) -> Self {
+        Self { path: self.path.join(name) }
+    }
+
     /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path

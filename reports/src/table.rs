@@ -1,7 +1,7 @@
 //! Tables that can be read in a terminal, in Markdown, in LaTeX and by a spreadsheet.
 
 use crate::latex::latex_text;
-use crate::markup::escaped;
+use crate::markup::inline;
 
 /// How a column is set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -231,7 +231,7 @@ impl Table {
                 .zip(self.alignments())
                 .map(|(text, align)| {
                     let class = if align == Align::Right { " class=\"number\"" } else { "" };
-                    format!("<{tag}{class}>{}</{tag}>", escaped(text))
+                    format!("<{tag}{class}>{}</{tag}>", inline(text))
                 })
                 .collect()
         };

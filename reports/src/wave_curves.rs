@@ -226,7 +226,7 @@ fn against_direction(
     }
     for curve in curves.iter().filter(|curve| curve.color == curves[0].color) {
         // Beside the first line of each length.
-        if let Some((angle, wave)) = curve.waves.get(curve.waves.len() / 12)
+        if let Some((angle, wave)) = curve.waves.get(curve.waves.len() / 8)
             && let Some(value) = of(wave)
         {
             let text = format!("{} cells", curve.wavelength);

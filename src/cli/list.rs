@@ -124,26 +124,16 @@ impl Topic {
     }
 }
 
-/// The tables and figures; a name that two papers use carries the paper.
+/// The tables and figures, by paper and name.
 fn figures() -> Vec<Entry> {
-    let papers =
-        [("ferrari2008", ferrari2008::text()), ("cha-whitworth2003", cha_whitworth2003::text())];
-    let all: Vec<_> = papers
-        .iter()
-        .flat_map(|(paper, text)| text.catalogue().map(move |item| (*paper, item)))
-        .collect();
-    let shared = |paper: &str, name: &str| {
-        all.iter().any(|(other, item)| item.name == name && *other != paper)
-    };
-    all.iter()
-        .map(|(paper, item)| {
-            let name = match shared(paper, item.name) {
-                true => format!("{paper}/{}", item.name),
-                false => item.name.into(),
-            };
+    let texts = [ferrari2008::text(), cha_whitworth2003::text()];
+    let all = texts.iter().flat_map(|text| {
+        text.catalogue().map(|item| {
+            let name = format!("{}/{}", text.paper.name, item.name);
             Entry::new(&name, item.description, item.source)
         })
-        .collect()
+    });
+    all.collect()
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

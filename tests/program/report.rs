@@ -39,6 +39,32 @@ fn without_times(csv: &[u8]) -> (Vec<Vec<String>>, bool) {
 }
 
 #[test]
+fn one_table_is_made_alone_and_a_wrong_name_is_one_clear_line() {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().join("out");
+    let report = |only: &str| {
+        courant(&["report", "--quick", "--only", only, "--out", out.to_str().unwrap()])
+    };
+    for (wrong, said) in [
+        ("table_1_exakt", "did you mean `table_1_exact`"),
+        ("figure_02", "in several papers: ferrari2008/figure_02, cha-whitworth2003/figure_02"),
+    ] {
+        let refused = report(wrong);
+        assert_eq!(refused.status.code(), Some(2));
+        let line = super::text(&refused.stderr);
+        assert!(line.contains("--only") && line.contains(wrong) && line.contains(said), "{line}");
+        assert!(!out.exists());
+    }
+    assert!(report("table_1_exact,cha-whitworth2003/integrator_table").status.success());
+    let names: Vec<PathBuf> = files(&out).into_keys().collect();
+    let wanted = ["cha-whitworth2003/integrator_table", "ferrari2008/table_1_exact"];
+    let wanted = wanted
+        .iter()
+        .flat_map(|name| ["csv", "md", "tex"].map(|end| format!("quick/{name}.{end}")));
+    assert_eq!(names, wanted.map(PathBuf::from).collect::<Vec<_>>());
+}
+
+#[test]
 fn two_reports_differ_in_times_alone_and_show_what_is_listed() {
     let places = [(); 2].map(|()| tempfile::tempdir().unwrap());
     for (place, threads) in places.iter().zip(["1", "2"]) {

@@ -4,7 +4,7 @@ mod hard_cases;
 
 use super::{Detail, text};
 use crate::cells;
-use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::paper_text::csv;
@@ -61,10 +61,11 @@ fn cost_figure() -> Item {
 
 fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
     let mut panel = Panel::new(
-        Axis::log("relative error of the limit").range(0.3 * ERROR_FLOOR, 1.0),
         Axis::log("phases or boxes looked at"),
+        Axis::log("relative error of the limit").range(0.2 * ERROR_FLOOR, 1.0),
     )
-    .title(title);
+    .title(title)
+    .layer(Line::horizontal(ERROR_FLOOR).dash(Dash::Dashed).label("no error that an f64 shows"));
     for (name, color, marker) in [
         ("sampled", Color::VERMILION, Marker::Circle),
         ("refined", Color::ORANGE, Marker::Square),
@@ -73,9 +74,11 @@ fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
         let points: Vec<(f64, f64)> = rows
             .iter()
             .filter(|row| row.method.name() == name)
-            .map(|row| (row.relative_error.max(ERROR_FLOOR), row.work as f64))
+            .map(|row| (row.work as f64, row.relative_error.max(ERROR_FLOOR)))
             .collect();
-        panel = panel.layer(Markers::new(points, marker).color(color).size(4.0).label(name));
+        panel = panel
+            .layer(Line::new(points.clone()).color(color).width(0.7).label(name))
+            .layer(Markers::new(points, marker).color(color).size(4.0).label(name));
     }
     panel
 }

@@ -3,7 +3,7 @@
 use super::{
     color::{Bands, Color},
     geometry::{Point, Rect},
-    paint::{self, Canvas, Drawn, Pen},
+    ink::{Drawn, Ink, Pen},
     panel::{FRAME_WIDTH, LABEL_GAP, LABEL_SIZE, TICK, TICK_SIZE, widest},
     text::{self, POINT},
 };
@@ -12,7 +12,6 @@ use plotters::style::{
     FontTransform,
     text_anchor::{HPos, VPos},
 };
-use plotters_backend::DrawingBackend;
 
 const BREADTH: f64 = 9.0 * POINT;
 /// From line to line of a label.
@@ -40,12 +39,7 @@ impl ColorBar {
     }
 
     /// Draws the bar upwards at `left`.
-    pub(super) fn draw<DB: DrawingBackend>(
-        &self,
-        canvas: &Canvas<DB>,
-        left: f64,
-        (bottom, top): (f64, f64),
-    ) -> Drawn<DB> {
+    pub(super) fn draw(&self, canvas: &impl Ink, left: f64, (bottom, top): (f64, f64)) -> Drawn {
         let Bands { edges, colors, below, above } = &self.bands;
         let pen = Pen::solid(Color::BLACK, FRAME_WIDTH);
         let right = left + BREADTH;
@@ -56,34 +50,33 @@ impl ColorBar {
         let step = edges[1] - edges[0];
         let even = edges.windows(2).all(|w| (w[1] - w[0] - step).abs() < 1e-9 * step);
         for (k, color) in colors.iter().enumerate() {
-            paint::fill(canvas, &[band(k)], *color)?;
+            canvas.fill(&[band(k)], *color)?;
         }
         for k in (0..colors.len()).filter(|_| !even) {
-            paint::outline(canvas, &band(k), pen)?;
+            canvas.outline(&band(k), pen)?;
         }
         for (color, from, to) in [(below, low, bottom), (above, high, top)] {
             let tip: Vec<Point> = vec![[left, from], [0.5 * (left + right), to], [right, from]];
             if let Some(color) = color {
-                paint::fill(canvas, std::slice::from_ref(&tip), *color)?;
-                paint::outline(canvas, &tip, pen)?;
+                canvas.fill(std::slice::from_ref(&tip), *color)?;
+                canvas.outline(&tip, pen)?;
             }
         }
-        paint::outline(canvas, &Rect { left, right, top: high, bottom: low }.corners(), pen)?;
+        canvas.outline(&Rect { left, right, top: high, bottom: low }.corners(), pen)?;
         // As many numbers as do not touch.
         let numbers = format_numbers(edges);
         let room = 1.15 * TICK_SIZE * POINT * colors.len() as f64 / (low - high).abs();
-        let style = text::style(TICK_SIZE, Color::BLACK, HPos::Left, VPos::Center);
+        let to = (HPos::Left, VPos::Center, FontTransform::None);
         for (k, number) in numbers.iter().enumerate().step_by(room.ceil().max(1.0) as usize) {
-            paint::stroke(canvas, &[[right, at(k)], [right + TICK, at(k)]], pen)?;
-            canvas.draw_text(number, &style, paint::unit([right + 2.0 * TICK, at(k)]))?;
+            canvas.stroke(&[[right, at(k)], [right + TICK, at(k)]], pen)?;
+            canvas.write(number, TICK_SIZE, [right + 2.0 * TICK, at(k)], to.clone())?;
         }
-        let style = text::style(LABEL_SIZE, Color::BLACK, HPos::Center, VPos::Bottom)
-            .transform(FontTransform::Rotate270);
+        let to = (HPos::Center, VPos::Bottom, FontTransform::Rotate270);
         let lines = text::wrapped(&self.label, LABEL_SIZE, bottom - top);
         let first = right + 2.0 * TICK + widest(&numbers) + LABEL_GAP;
         for (k, line) in lines.iter().enumerate() {
             let across = first + (k + 1) as f64 * LINE;
-            canvas.draw_text(line, &style, paint::unit([across, 0.5 * (bottom + top)]))?;
+            canvas.write(line, LABEL_SIZE, [across, 0.5 * (bottom + top)], to.clone())?;
         }
         Ok(())
     }

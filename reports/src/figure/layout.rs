@@ -5,8 +5,8 @@ use super::{
     color::Color,
     color_bar::ColorBar,
     geometry::Rect,
+    ink::{Ink, failed},
     legend,
-    paint::{self, Drawn},
     panel::{LABEL_GAP, Panel},
     raster::{self, Raster},
     text::{self, POINT},
@@ -14,7 +14,10 @@ use super::{
 use plotters::{
     backend::SVGBackend,
     drawing::IntoDrawingArea,
-    style::text_anchor::{HPos, VPos},
+    style::{
+        FontTransform,
+        text_anchor::{HPos, VPos},
+    },
 };
 use plotters_backend::DrawingBackend;
 
@@ -176,26 +179,22 @@ impl Figure {
             Rect { left, top, right: left + width, bottom: top + height }
         };
         let canvas = backend.into_drawing_area();
-        let draw = || -> Drawn<DB> {
-            paint::fill(&canvas, &[page.corners()], Color::WHITE)?;
-            let style = text::style(TITLE_SIZE, Color::BLACK, HPos::Center, VPos::Top);
-            for (k, line) in title.iter().enumerate() {
-                let top = PAGE_MARGIN + k as f64 * title_line;
-                canvas.draw_text(line, &style, (width as i32 / 2, top as i32))?;
-            }
-            for (k, panel) in panels.iter().enumerate() {
-                panel.draw(&canvas, plot(k / columns, k % columns), margins)?;
-            }
-            let (top, bottom) = (plot(0, 0).top, plot(rows - 1, 0).bottom);
-            let step = (bottom - top + BAR_GAP) / bars;
-            for (k, bar) in self.color_bars.iter().enumerate() {
-                let low = bottom - k as f64 * step;
-                bar.draw(&canvas, area.right + BAR_GAP, (low, low - step + BAR_GAP))?;
-            }
-            legend::draw(&canvas, &legend, 0.5 * page.right, area.bottom + LABEL_GAP)?;
-            canvas.present()
-        };
-        draw().map_err(|error| FigureError::Drawing(error.to_string()))
+        Ink::fill(&canvas, &[page.corners()], Color::WHITE)?;
+        for (k, line) in title.iter().enumerate() {
+            let at = [0.5 * page.right, PAGE_MARGIN + k as f64 * title_line];
+            canvas.write(line, TITLE_SIZE, at, (HPos::Center, VPos::Top, FontTransform::None))?;
+        }
+        for (k, panel) in panels.iter().enumerate() {
+            panel.draw(&canvas, plot(k / columns, k % columns), margins)?;
+        }
+        let (top, bottom) = (plot(0, 0).top, plot(rows - 1, 0).bottom);
+        let step = (bottom - top + BAR_GAP) / bars;
+        for (k, bar) in self.color_bars.iter().enumerate() {
+            let low = bottom - k as f64 * step;
+            bar.draw(&canvas, area.right + BAR_GAP, (low, low - step + BAR_GAP))?;
+        }
+        legend::draw(&canvas, &legend, 0.5 * page.right, area.bottom + LABEL_GAP)?;
+        canvas.present().map_err(failed)
     }
 }
 

@@ -4,12 +4,14 @@
 use super::{
     color::Color,
     geometry::Rect,
+    ink::{Drawn, Ink, Pen},
     layer::Layer,
-    paint::{self, Canvas, Drawn, Pen},
     text::{self, POINT},
 };
-use plotters::style::text_anchor::{HPos, VPos};
-use plotters_backend::DrawingBackend;
+use plotters::style::{
+    FontTransform,
+    text_anchor::{HPos, VPos},
+};
 
 /// Size of the names, in points.
 const SIZE: f64 = 7.8;
@@ -61,13 +63,8 @@ fn width(row: &[Entry]) -> f64 {
 }
 
 /// Draws rows from `top` down, each centred on `middle`.
-pub(super) fn draw<DB: DrawingBackend>(
-    canvas: &Canvas<DB>,
-    rows: &[Vec<Entry>],
-    middle: f64,
-    top: f64,
-) -> Drawn<DB> {
-    let style = text::style(SIZE, Color::BLACK, HPos::Left, VPos::Center);
+pub(super) fn draw(canvas: &impl Ink, rows: &[Vec<Entry>], middle: f64, top: f64) -> Drawn {
+    let to = (HPos::Left, VPos::Center, FontTransform::None);
     for (k, row) in rows.iter().enumerate() {
         let y = top + (k as f64 + 0.5) * ROW;
         for (n, (label, layers)) in row.iter().enumerate() {
@@ -75,26 +72,26 @@ pub(super) fn draw<DB: DrawingBackend>(
             for layer in layers {
                 sample(canvas, layer, [x, y])?;
             }
-            canvas.draw_text(label, &style, paint::unit([x + SAMPLE + GAP, y]))?;
+            canvas.write(label, SIZE, [x + SAMPLE + GAP, y], to.clone())?;
         }
     }
     Ok(())
 }
 
 /// The look of a layer, to the right of a place.
-fn sample<DB: DrawingBackend>(canvas: &Canvas<DB>, layer: &Layer, [x, y]: [f64; 2]) -> Drawn<DB> {
+fn sample(canvas: &impl Ink, layer: &Layer, [x, y]: [f64; 2]) -> Drawn {
     let line = [[x, y], [x + SAMPLE, y]];
     match layer {
         Layer::Line(l) => {
-            paint::stroke(canvas, &line, Pen { color: l.color, width: l.width, dash: l.dash })
+            canvas.stroke(&line, Pen { color: l.color, width: l.width, dash: l.dash })
         }
-        Layer::Isolines(l) => paint::stroke(canvas, &line, Pen::solid(l.color, l.width)),
-        Layer::Markers(m) => paint::marker(canvas, [x + 0.5 * SAMPLE, y], m),
+        Layer::Isolines(l) => canvas.stroke(&line, Pen::solid(l.color, l.width)),
+        Layer::Markers(m) => canvas.marker([x + 0.5 * SAMPLE, y], m),
         Layer::FilledContours(l) => {
             let half = 0.4 * SIZE * POINT;
             let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
-            paint::fill(canvas, &[patch.corners()], l.bands.colors[0])?;
-            paint::outline(canvas, &patch.corners(), Pen::solid(Color::GREY, 0.4))
+            canvas.fill(&[patch.corners()], l.bands.colors[0])?;
+            canvas.outline(&patch.corners(), Pen::solid(Color::GREY, 0.4))
         }
         Layer::Note(_) => Ok(()),
     }

@@ -25,6 +25,7 @@ mod color;
 mod color_bar;
 mod field;
 mod geometry;
+mod ink;
 mod isoline_label;
 mod layer;
 mod layout;

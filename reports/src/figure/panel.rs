@@ -5,13 +5,19 @@ use super::{
     axis::Axis,
     color::Color,
     geometry::{Point, Rect},
+    ink::{Drawn, Ink, Pen, failed},
     layer::Layer,
-    paint::{self, Canvas, Drawn, Frame, Pen},
+    paint::{self, Frame},
     text::{self, POINT},
 };
 use plotters::{
     chart::ChartBuilder,
-    style::text_anchor::{HPos, VPos},
+    coord::Shift,
+    drawing::DrawingArea,
+    style::{
+        FontTransform,
+        text_anchor::{HPos, VPos},
+    },
 };
 use plotters_backend::DrawingBackend;
 
@@ -123,10 +129,10 @@ impl Panel {
     /// Draws the panel with its plot in the rectangle; titles and labels stand around it.
     pub(super) fn draw<DB: DrawingBackend>(
         &self,
-        canvas: &Canvas<DB>,
+        canvas: &DrawingArea<DB, Shift>,
         plot: Rect,
         margins: Rect,
-    ) -> Drawn<DB> {
+    ) -> Drawn {
         let units = |v: f64| v.round() as i32;
         let size = (
             units(margins.left + plot.width() + margins.right),
@@ -140,8 +146,9 @@ impl Panel {
             .margin_right(units(margins.right))
             .x_label_area_size(units(margins.bottom))
             .y_label_area_size(units(margins.left))
-            .build_cartesian_2d(x.clone(), y.clone())?;
-        let text = |size| text::style(size, Color::BLACK, HPos::Center, VPos::Bottom);
+            .build_cartesian_2d(x.clone(), y.clone())
+            .map_err(failed)?;
+        let text = |size| text::style(size, HPos::Center, VPos::Bottom);
         chart
             .configure_mesh()
             .axis_style(Pen::solid(Color::BLACK, FRAME_WIDTH).style())
@@ -152,20 +159,18 @@ impl Panel {
             .x_desc(self.x.label.as_str())
             .y_desc(self.y.label.as_str())
             .set_all_tick_mark_size(units(TICK))
-            .draw()?;
+            .draw()
+            .map_err(failed)?;
         let (across, down) = chart.plotting_area().get_pixel_range();
         let [left, right, top, bottom] =
             [across.start, across.end - 1, down.start, down.end - 1].map(f64::from);
         let rect = Rect { left, top, right, bottom };
         paint::layers(canvas, &Frame { rect, x: &x, y: &y }, &self.layers)?;
-        paint::outline(canvas, &rect.corners(), Pen::solid(Color::BLACK, FRAME_WIDTH))?;
+        canvas.outline(&rect.corners(), Pen::solid(Color::BLACK, FRAME_WIDTH))?;
         for (k, line) in self.title_lines(plot.width()).iter().rev().enumerate() {
             let above = top - (0.3 + 1.2 * k as f64) * TITLE_SIZE * POINT;
-            canvas.draw_text(
-                line,
-                &text(TITLE_SIZE),
-                paint::unit([0.5 * (left + right), above]),
-            )?;
+            let to = (HPos::Center, VPos::Bottom, FontTransform::None);
+            canvas.write(line, TITLE_SIZE, [0.5 * (left + right), above], to)?;
         }
         Ok(())
     }

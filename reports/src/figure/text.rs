@@ -1,9 +1,9 @@
 //! Letters of the bundled font, DejaVu Sans: their widths and their outlines.
 
-use super::{color::Color, geometry::Point};
+use super::geometry::Point;
 use ab_glyph::{Font, FontRef, GlyphId, OutlineCurve, point};
 use plotters::style::{
-    Color as _, IntoFont, TextStyle,
+    BLACK, Color as _, IntoFont, TextStyle,
     text_anchor::{HPos, Pos, VPos},
 };
 use std::sync::LazyLock;
@@ -84,10 +84,10 @@ pub(super) fn rings(text: &str, origin: Point, em: f64, angle: f64) -> Vec<Vec<P
     rings
 }
 
-/// The style of a text for plotters; `size` in points.
-pub(super) fn style(size: f64, color: Color, h: HPos, v: VPos) -> TextStyle<'static> {
+/// The style of a black text for plotters; `size` in points.
+pub(super) fn style(size: f64, h: HPos, v: VPos) -> TextStyle<'static> {
     let font = (FAMILY, size * POINT * SIZE_OVER_EM).into_font();
-    TextStyle { color: color.plotters().to_backend_color(), font, pos: Pos::new(h, v) }
+    TextStyle { color: BLACK.to_backend_color(), font, pos: Pos::new(h, v) }
 }
 
 /// A text of `size` points broken at spaces into as few lines no longer than `length` as can be, about equally long.

@@ -1,6 +1,6 @@
 //! How errors fall with the number of particles.
 
-use super::cost::{Point, curve};
+use super::cost::{Point, SETTINGS, curve, error_axis, failures};
 use super::runs::METHODS;
 use super::{Detail, error_or_failure, panel_title, text};
 use crate::figure::{Axis, Color, Figure, Line, Panel};
@@ -65,10 +65,9 @@ pub fn items(detail: Detail, points: &[Point]) -> Vec<Item> {
     let all: Vec<usize> = resolutions(most(detail, "finite-volume")).collect();
     let columns: Vec<String> = all.iter().map(|n| format!("N = {n}")).collect();
     let mut rows = Vec::new();
-    let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
+    let mut figure = Figure::grid(2, 2).size(7.0, 6.0).title(SETTINGS).legend_below();
     for test in 1..=4 {
-        let mut panel =
-            Panel::new(Axis::log("N"), Axis::log("Σ|e|/N of ρ")).title(panel_title(test));
+        let mut panel = Panel::new(Axis::log("N"), error_axis()).title(panel_title(test));
         for (index, name) in METHODS.into_iter().enumerate() {
             let series = of(test, name);
             let mut row = cells![test, name];
@@ -97,6 +96,9 @@ pub fn items(detail: Detail, points: &[Point]) -> Vec<Item> {
                     .layer(Line::new(guide).color(Color::GREY).width(0.7).label("first order"));
             }
             panel = curve(panel, name, index, series);
+            let failed =
+                points.iter().filter(|p| p.test == test && p.name == name && p.error.is_err());
+            panel = failures(panel, index, failed.map(|point| point.particles as f64));
         }
         figure = figure.panel(panel);
     }

@@ -4,6 +4,7 @@ use super::runs::{METHODS, compare, method, tube};
 use super::{panel_title, text};
 use crate::cells;
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::gas_run;
 use crate::number::significant;
 use crate::page::Item;
 use crate::timing::timed;
@@ -52,12 +53,11 @@ impl Point {
 
 /// Figure and table.
 pub fn items(points: &[Point]) -> Vec<Item> {
-    let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
+    let mut figure = Figure::grid(2, 2).size(7.0, 6.0).title(SETTINGS).legend_below();
     let mut rows = Vec::new();
     for test in 1..=4 {
-        let mut panel =
-            Panel::new(Axis::log("fluxes or forces of pairs"), Axis::log("Σ|e|/N of ρ"))
-                .title(panel_title(test));
+        let mut panel = Panel::new(Axis::log("fluxes or forces of pairs"), error_axis())
+            .title(panel_title(test));
         for (index, name) in METHODS.into_iter().enumerate() {
             // The largest numbers of particles were run first.
             let of = |point: &&Point| point.test == test && point.name == name;
@@ -77,6 +77,8 @@ pub fn items(points: &[Point]) -> Vec<Item> {
             }));
             let shown = series.iter().filter_map(|p| Some((p.pairs as f64, p.error.ok()?)));
             panel = curve(panel, name, index, shown.collect());
+            let failed = series.iter().filter(|p| p.error.is_err()).map(|p| p.pairs as f64);
+            panel = failures(panel, index, failed);
         }
         figure = figure.panel(panel);
     }
@@ -86,12 +88,36 @@ pub fn items(points: &[Point]) -> Vec<Item> {
     ]
 }
 
+/// What figures of all methods have in common.
+pub const SETTINGS: &str =
+    "Godunov-type SPH: cubic B-spline, l/Δξ = 2, Courant number as in Figures 3 to 21";
+
+/// Runs of one of the five methods that failed: they have a cost, but no error, and stand at the foot of the panel.
+pub fn failures(panel: Panel, index: usize, at: impl Iterator<Item = f64>) -> Panel {
+    let marks: Vec<(f64, f64)> = at.map(|x| (x, LEAST_ERROR * 1.3)).collect();
+    match marks.is_empty() {
+        true => panel,
+        false => {
+            let marks = Markers::new(marks, Marker::Cross).color(Color::qualitative(index));
+            panel.layer(marks.size(5.0).label("run failed: no error, drawn at the foot"))
+        }
+    }
+}
+
+/// The axis of errors: all four tests on one scale.
+pub fn error_axis() -> Axis {
+    Axis::log("Σ|e|/N of ρ").range(LEAST_ERROR, 4.0)
+}
+
+/// Where the axis of errors begins.
+const LEAST_ERROR: f64 = 5e-4;
+
 /// A line with markers for one of the five methods.
 pub fn curve(panel: Panel, name: &str, index: usize, points: Vec<(f64, f64)>) -> Panel {
     if points.is_empty() {
         return panel;
     }
-    let color = Color::qualitative(index);
+    let (color, name) = (Color::qualitative(index), gas_run::method_title(name));
     panel.layer(Line::new(points.iter().copied()).color(color).width(0.9).label(name)).layer(
         Markers::new(points, Marker::nth(index))
             .color(color)

@@ -101,12 +101,15 @@ pub fn items(detail: Detail) -> Vec<Item> {
 }
 
 fn figure(series: &[Series]) -> Item {
-    let mut figure = Figure::grid(2, 2).size(7.0, 5.6).legend_below();
+    let mut figure = Figure::grid(2, 2)
+        .size(7.0, 6.0)
+        .title("Godunov-type SPH: cubic B-spline, l/Δξ = 2, N = 100, steps from the current state")
+        .legend_below();
     let mut lines = Vec::new();
     for test in 1..=4 {
         let mut panel = Panel::new(
-            Axis::linear("Courant number CΔt/Δξ").range(0.0, 3.05),
-            Axis::log("Σ|e|/N of ρ"),
+            Axis::linear("Courant number of sound, ρcΔt/Δξ").range(0.0, 3.05),
+            Axis::log("Σ|e|/N of ρ").range(7e-3, 12.0),
         )
         .title(panel_title(test))
         .layer(Line::vertical(MONOTONE).dash(Dash::Dashed).label("monotone up to 8/5"))

@@ -205,6 +205,9 @@ fn introduction(tests: &[Test], choices: &[Choice]) -> Item {
     text().paragraph("speed_text", words!["fronts" = fronts.collect::<Vec<_>>().join("; ")])
 }
 
+/// What became of runs without an error that says something.
+const OUTSIDE: &str = "error above 1, drawn at the top";
+
 fn figure(test: &Test, choices: &[Choice]) -> Figure {
     let panels =
         [(Neighbours::Any, "(a) all runs"), (Neighbours::Several, "(b) several neighbours")];
@@ -215,36 +218,36 @@ fn figure(test: &Test, choices: &[Choice]) -> Figure {
     for (among, title) in panels {
         let costs = test.costs(among, choices);
         let mut panel =
-            Panel::new(Axis::log("interactions"), Axis::log("L1 error").range(lowest, 1.0))
+            Panel::new(Axis::log("interactions"), Axis::log("L1 error").range(lowest, 2.0))
                 .title(format!("{title}, {}", test.name()));
+        // All runs faintly; over them what is best of each scheme, and where it beats the other schemes too.
+        let best = test.front(among, choices);
         for (scheme, color) in SCHEMES {
-            for (part, ratio) in [1.0, 2.0, 3.0].into_iter().enumerate() {
-                let chosen = test.points.iter().zip(&costs).filter(|(point, _)| {
-                    let method = choices[point.choice].method;
-                    method.scheme == scheme && method.ratio == ratio
-                });
-                panel = panel.layer(
-                    Markers::new(
-                        chosen.map(|(_, &cost)| cost),
-                        [Marker::Circle, Marker::Square, Marker::Triangle][part],
-                    )
-                    .color(color.mix(Color::WHITE, 0.25))
-                    .open()
-                    .size(2.8)
-                    .width(0.6)
-                    .label(format!("{}, l/Δξ = {ratio}", scheme.title())),
-                );
-            }
+            let runs: Vec<(f64, f64)> = test
+                .points
+                .iter()
+                .zip(&costs)
+                .map(|(point, &cost)| match choices[point.choice].method.scheme == scheme {
+                    true => cost,
+                    false => (f64::NAN, f64::NAN),
+                })
+                .collect();
+            let inside = runs.iter().copied().filter(|run| run.1 <= 1.0);
+            let outside = runs.iter().filter(|run| run.1 > 1.0).map(|run| (run.0, 1.4));
+            let faint = color.mix(Color::WHITE, 0.6);
+            let own: Vec<(f64, f64)> = pareto_front(&runs).into_iter().map(|k| runs[k]).collect();
+            let wins = best.iter().map(|&k| runs[k]).filter(|run| run.0.is_finite());
+            let wins: Vec<(f64, f64)> = wins.collect();
+            let name = match wins.is_empty() {
+                true => String::new(),
+                false => format!("{}, cheapest of all", scheme.title()),
+            };
+            panel = panel
+                .layer(Markers::new(inside, Marker::Circle).color(faint).size(1.5).width(0.2))
+                .layer(Markers::new(outside, Marker::Cross).color(faint).size(3.0).label(OUTSIDE))
+                .layer(Line::new(own).color(color).width(1.3).label(scheme.title()))
+                .layer(Markers::new(wins, Marker::Circle).color(color).size(4.6).label(name));
         }
-        let front = test.front(among, choices);
-        panel = panel.layer(
-            Line::new(front.iter().map(|&index| costs[index])).width(1.2).label("Pareto front"),
-        );
-        panel = panel.layer(
-            Markers::new(front.iter().map(|&index| costs[index]), Marker::Circle)
-                .size(2.6)
-                .label("Pareto front"),
-        );
         figure = figure.panel(panel);
     }
     figure
