@@ -6,11 +6,11 @@ use super::shear_viscosity::shear_response;
 use crate::boundary::Boundary;
 use crate::march::{Limits, march};
 use crate::particles::{
-    Counters, Domain, Drift, Gas, InvalidMethodOptions, Material, MethodOptions, PairForce,
-    ParticleEvolution, ParticleSystem, Particles, SmoothingKernel, StepSharing, Task, ThermalState,
-    dispatch, table,
+    Domain, Gas, MethodOptions, PairForce, ParticleEvolution, ParticleSystem, Particles, Smoothing,
+    SmoothingKernel, StepSharing, Task, ThermalState, dispatch, table,
 };
-use crate::run::Failure;
+use crate::run::{Conservation, Counters, Failure, InvalidOptions};
+use crate::scene::Material;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
@@ -82,7 +82,7 @@ pub struct FieldRun {
     /// Why the run broke down; `None` if it reached the end.
     pub failure: Option<Failure>,
     /// Conservation.
-    pub drift: Drift,
+    pub conservation: Conservation,
     /// Work.
     pub counters: Counters,
     /// Errors at the time reached.
@@ -116,23 +116,30 @@ impl FieldRun {
 /// shear.end_time = 0.1;
 /// let options = shear.options(ParticleMethod::Gph3);
 /// let run = run_field(&shear, 400, &options, &mut |_| ControlFlow::Continue(()))?;
-/// assert!(run.completed() && run.drift.momentum < 1e-13);
+/// assert!(run.completed() && run.conservation.momentum < 1e-13);
 /// // The Riemann problems brake the flow.
 /// assert!(run.measure("kinetic_energy_left").is_some_and(|left| left < 0.9));
-/// # Ok::<(), courant_simulation::particles::InvalidMethodOptions>(())
+/// # Ok::<(), courant_simulation::run::InvalidOptions>(())
 /// ```
 ///
 /// # Errors
-/// [`InvalidMethodOptions`] when the run cannot start. A run that breaks down is no error: see [`FieldRun::failure`].
+/// [`InvalidOptions`] when the run cannot start. A run that breaks down is no error: see [`FieldRun::failure`].
 pub fn run_field(
     scene: &FieldScene,
     particles: usize,
     options: &MethodOptions,
     observe: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> Result<FieldRun, InvalidMethodOptions> {
+) -> Result<FieldRun, InvalidOptions> {
     options.check()?;
     if particles < 10 {
-        return Err(InvalidMethodOptions::Particles(particles));
+        return Err(InvalidOptions::Particles { particles, least: 10 });
+    }
+    if options.estimation.is_some() {
+        return Err(InvalidOptions::Uncovered {
+            method: options.method.name(),
+            scene: scene.name.clone(),
+            problem: "kernel estimation is for one dimension",
+        });
     }
     let run = match scene.dimension {
         2 => dispatch(scene.gas, options, Plan::<2> { scene, particles, options, observe })?,
@@ -149,7 +156,7 @@ struct Plan<'a, const D: usize> {
 }
 
 impl<const D: usize> Task for Plan<'_, D> {
-    type Output = Result<FieldRun, InvalidMethodOptions>;
+    type Output = Result<FieldRun, InvalidOptions>;
 
     fn run<G: Gas, F: PairForce>(self, gas: G, force: F) -> Self::Output {
         let Self { scene, particles, options, observe } = self;
@@ -160,7 +167,7 @@ impl<const D: usize> Task for Plan<'_, D> {
         let initial = profile(&system);
         let meter = Meter::new(scene, &system);
         let mut history = vec![Sample { time: 0.0, measures: meter.measure(&system, 0.0) }];
-        let mut evolution = match options.sharing {
+        let evolution = match options.sharing {
             StepSharing::Global => {
                 let table = table(options.integrator)?;
                 ParticleEvolution::global(system, force, &table, options.courant)
@@ -169,7 +176,8 @@ impl<const D: usize> Task for Plan<'_, D> {
                 ParticleEvolution::blocks(system, force, levels, options.courant)
             }
         };
-        let limits = Limits { steps: options.max_steps as usize };
+        let mut evolution = evolution.with_work(options.work);
+        let limits = Limits { steps: options.max_steps };
         let march = march(&mut evolution, scene.end_time, limits, |state, time| {
             let due = history.len() as f64 * scene.end_time / f64::from(SAMPLES);
             if time >= due * (1.0 - 1e-9) {
@@ -189,7 +197,7 @@ impl<const D: usize> Task for Plan<'_, D> {
             rejected: march.rejected,
             time: march.time,
             failure: march.failure,
-            drift: start.drift(&end),
+            conservation: start.conservation(&end),
             counters: system.counters,
             measures: meter.measure(system, march.time),
             history,
@@ -241,7 +249,7 @@ pub(super) fn prepare<const D: usize, G: Gas, F: PairForce>(
         position: filling.positions,
     };
     let domain = Domain::new(lower, filling.upper, Boundary::Periodic);
-    ParticleSystem::new(gas, particles, domain, kernel, options.smoothing(false), force)
+    ParticleSystem::new(gas, particles, domain, kernel, Smoothing::adaptive(options.eta), force)
 }
 
 /// Adds what explains the decay of a shear.
@@ -283,12 +291,13 @@ impl<const D: usize> Totals<D> {
         }
     }
 
-    fn drift(&self, end: &Self) -> Drift {
+    fn conservation(&self, end: &Self) -> Conservation {
         let change = (0..D).map(|axis| (end.momentum[axis] - self.momentum[axis]).powi(2));
-        Drift {
-            mass: ((end.mass - self.mass) / self.mass).abs(),
+        Conservation {
+            mass: (end.mass - self.mass) / self.mass,
             momentum: change.sum::<f64>().sqrt() / self.momentum_scale,
-            energy: self.energy.zip(end.energy).map(|(a, b)| ((b - a) / a).abs()),
+            energy: self.energy.zip(end.energy).map(|(a, b)| (b - a) / a),
+            volume: None,
         }
     }
 }

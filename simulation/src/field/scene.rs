@@ -2,8 +2,9 @@
 
 use super::sedov::SedovBlast;
 use crate::lattice::{Filling, Lattice};
-use crate::particles::{IsothermalGas, Material, MethodOptions, ParticleMethod};
+use crate::particles::{IsothermalGas, MethodOptions, ParticleMethod};
 use crate::riemann::IdealGas;
+use crate::scene::Material;
 use courant_analysis::kernel::Kernel;
 use serde::Deserialize;
 use std::f64::consts::PI;

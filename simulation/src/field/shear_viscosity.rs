@@ -1,9 +1,8 @@
 //! What the pair forces of a scheme do to a transverse wave of small amplitude on a lattice.
 
 use super::scene::{FieldFlow, FieldScene};
-use crate::particles::{
-    ActsOn, Material, MethodOptions, ParticleMethod, RadialKernel, SmoothingKernel,
-};
+use crate::particles::{ActsOn, MethodOptions, ParticleMethod, RadialKernel, SmoothingKernel};
+use crate::scene::Material;
 use num_complex::Complex64;
 use std::f64::consts::{PI, SQRT_2};
 
@@ -90,13 +89,15 @@ pub fn shear_response(
             -sound / rho * kernel.slope(r, h)
         }
         ParticleMethod::Gph4 => -sound / rho * kernel.slope(r, SQRT_2 * h),
-        ParticleMethod::Sph1 | ParticleMethod::Sph2 => match viscosity.acts_on {
-            ActsOn::Compressing => 0.0,
-            ActsOn::Approaching | ActsOn::All => {
-                let softened = h * r / (r * r + viscosity.softening * h * h);
-                -viscosity.alpha * sound / rho * softened * kernel.slope(r, h)
+        ParticleMethod::Sph1 | ParticleMethod::Sph2 | ParticleMethod::Adke => {
+            match viscosity.acts_on {
+                ActsOn::Compressing => 0.0,
+                ActsOn::Approaching | ActsOn::All => {
+                    let softened = h * r / (r * r + viscosity.softening * h * h);
+                    -viscosity.alpha * sound / rho * softened * kernel.slope(r, h)
+                }
             }
-        },
+        }
     };
     let all = options.method.is_godunov() || viscosity.acts_on == ActsOn::All;
     // Acceleration at x: the sum over the pairs that act.

@@ -8,9 +8,9 @@ use super::sphere::{ball, relax};
 use crate::boundary::Boundary;
 use crate::march::{Evolution, Limits, march};
 use crate::particles::{
-    Confined, Domain, Gas, Integrator, MethodOptions, PairForce, ParticleEvolution,
-    ParticleSystem, Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector,
-    dispatch, dot, plus_scaled, table,
+    Confined, Domain, Gas, Integrator, MethodOptions, PairForce, ParticleEvolution, ParticleSystem,
+    Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
+    plus_scaled, table,
 };
 use crate::run::{Counters, Failure, InvalidOptions};
 use std::ops::ControlFlow;
@@ -69,6 +69,8 @@ pub struct CloudRun {
     pub angular_momentum: f64,
     /// Steps; with blocks, substeps.
     pub steps: u64,
+    /// How many steps, or blocks, broke and were repeated with half their length.
+    pub rejected: usize,
     /// The time reached.
     pub time: f64,
     /// Why the run broke down; `None` if it reached the end.
@@ -246,6 +248,7 @@ impl Plan<'_> {
             momentum: dot(&momentum, &momentum).sqrt() / unit * cloud.radius.sqrt(),
             angular_momentum: dot(&turning, &turning).sqrt() / unit / cloud.radius.sqrt(),
             steps: evolution.substeps().unwrap_or(march.steps as u64),
+            rejected: march.rejected,
             time: march.time,
             failure: march.failure,
             counters: system.counters,

@@ -11,9 +11,8 @@ use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::gravity::{Cloud, CloudRun, cloud_options, run_cloud};
-use courant::simulation::particles::{
-    InvalidMethodOptions, MethodOptions, ParticleMethod, StepSharing,
-};
+use courant::simulation::particles::{MethodOptions, ParticleMethod, StepSharing};
+use courant::simulation::run::InvalidOptions;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -35,8 +34,8 @@ fn options(arguments: &Arguments, cloud: &Cloud) -> Result<MethodOptions, Failur
         let (scene, all) = (&arguments.scene, all.join(", "));
         return Err(Failure::Message(format!("--method is required for {scene}; accepted: {all}")));
     };
-    let method =
-        ParticleMethod::named(name).ok_or_else(|| no_method(name, &arguments.scene, &all))?;
+    let method = (ParticleMethod::ALL.into_iter().find(|method| method.name() == name))
+        .ok_or_else(|| no_method(name, &arguments.scene, &all))?;
     let mut options = cloud_options(cloud, MethodOptions::new(method));
     if let Some(kernel) = arguments.kernel {
         options.kernel = kernel;
@@ -67,21 +66,18 @@ fn options(arguments: &Arguments, cloud: &Cloud) -> Result<MethodOptions, Failur
 }
 
 /// The option's name as it is on the command line.
-fn invalid(error: InvalidMethodOptions) -> Failure {
+fn invalid(error: InvalidOptions) -> Failure {
     Failure::Message(match error {
-        InvalidMethodOptions::Kernel(kernel) => {
+        InvalidOptions::Kernel(kernel) => {
             format!(
                 "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
             )
         }
-        InvalidMethodOptions::Particles(count) => {
+        InvalidOptions::Particles { particles: count, .. } => {
             format!("--particles {count}: a sphere needs at least 100")
         }
-        InvalidMethodOptions::NotPositive { name: "eta", value } => {
-            format!("--ratio {value}: it must be above 0")
-        }
-        InvalidMethodOptions::NotPositive { value, .. } => {
-            format!("--cfl {value}: it must be above 0 and finite")
+        InvalidOptions::NotPositive { name, value } => {
+            format!("--{name} {value}: it must be above 0 and finite")
         }
         other => other.to_string(),
     })
@@ -130,6 +126,7 @@ fn record(
             method: options.method.name().into(),
             particles,
             steps: run.steps as usize,
+            rejected_steps: run.rejected,
             time: run.time,
             completed,
             failure: run.failure.map(|failure| failure.to_string()),
@@ -190,7 +187,7 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let particles = arguments.particles.unwrap_or(cloud.particles);
     // Few particles are refused before the directory is made.
     if particles < 100 {
-        return Err(invalid(InvalidMethodOptions::Particles(particles)));
+        return Err(invalid(InvalidOptions::Particles { particles, least: 100 }));
     }
     let output = OutputDirectory::open(&arguments.out)?;
     let bar = Bar::new(&cloud.name);

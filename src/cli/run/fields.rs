@@ -14,9 +14,8 @@ use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRe
 use courant::reports::table::{Align, Table};
 use courant::simulation::field::{FieldRun, FieldScene, run_field};
 use courant::simulation::lattice::Lattice;
-use courant::simulation::particles::{
-    ActsOn, InvalidMethodOptions, MethodOptions, ParticleMethod, StepSharing,
-};
+use courant::simulation::particles::{ActsOn, MethodOptions, ParticleMethod, StepSharing};
+use courant::simulation::run::InvalidOptions;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -98,8 +97,8 @@ impl Plan {
                 all.join(", ")
             ))
         })?;
-        let method =
-            ParticleMethod::named(name).ok_or_else(|| no_method(name, &arguments.scene, &all))?;
+        let method = (ParticleMethod::ALL.into_iter().find(|method| method.name() == name))
+            .ok_or_else(|| no_method(name, &arguments.scene, &all))?;
         let mut scene =
             FieldScene::named(&arguments.scene).expect("the family answers for its own scenes");
         if let Some(time) = &arguments.time {
@@ -163,21 +162,18 @@ impl Plan {
 }
 
 /// The option's name as it is on the command line.
-fn invalid(error: InvalidMethodOptions) -> Failure {
+fn invalid(error: InvalidOptions) -> Failure {
     Failure::Message(match error {
-        InvalidMethodOptions::Kernel(kernel) => {
+        InvalidOptions::Kernel(kernel) => {
             format!(
                 "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
             )
         }
-        InvalidMethodOptions::BlockIntegrator(name) => {
+        InvalidOptions::BlockIntegrator(name) => {
             format!("--integrator {name}: --levels needs centred-euler")
         }
-        InvalidMethodOptions::NotPositive { name: "eta", value } => {
-            format!("--ratio {value}: it must be above 0")
-        }
-        InvalidMethodOptions::NotPositive { value, .. } => {
-            format!("--cfl {value}: it must be above 0 and finite")
+        InvalidOptions::NotPositive { name, value } => {
+            format!("--{name} {value}: it must be above 0 and finite")
         }
         other => other.to_string(),
     })
@@ -203,11 +199,11 @@ struct FieldRecord {
 
 fn record(plan: &Plan, run: &FieldRun, seconds: f64) -> FieldRecord {
     let errors = run.errors.filter(|_| run.completed());
-    let isothermal = run.drift.energy.is_none();
+    let isothermal = run.conservation.energy.is_none();
     let conservation = ConservationRecord {
-        mass: finite(run.drift.mass),
-        momentum: finite(run.drift.momentum),
-        energy: run.drift.energy.and_then(finite),
+        mass: finite(run.conservation.mass),
+        momentum: finite(run.conservation.momentum),
+        energy: run.conservation.energy.and_then(finite),
     };
     let norms = ErrorNorms {
         value: None,
@@ -223,6 +219,7 @@ fn record(plan: &Plan, run: &FieldRun, seconds: f64) -> FieldRecord {
             method: plan.options.method.name().into(),
             particles: run.profile.len(),
             steps: run.steps as usize,
+            rejected_steps: run.rejected,
             time: run.time,
             completed: run.completed(),
             failure: run.failure.map(|failure| failure.to_string()),
