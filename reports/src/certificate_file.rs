@@ -1,7 +1,14 @@
 //! Files of certificates: `{"schema": "courant.certificate/3", "certificates": […]}`.
 
 use crate::publish::{PublishError, write_whole};
-use courant_analysis::certificate::{Certificate, CertificateError, Verified, verify};
+use crate::subject::{Sought, Subject, SubjectError};
+use courant_analysis::certificate::{
+    self, Certificate, CertificateError, CertificationError, Verified, certify_monotonicity,
+    certify_stability, verify,
+};
+use courant_analysis::exact::rational::Rational;
+use courant_analysis::scheme::SchemeError;
+use courant_analysis::stability::SearchPlan;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -53,16 +60,74 @@ pub enum CertificateFileError {
     },
 }
 
+/// Why limits of a subject have no certificates.
+#[derive(Debug, Error)]
+pub enum NotCertified {
+    /// Nobody could derive the weights of its kernel again.
+    #[error("its kernel has no name")]
+    Nameless,
+    /// The question cannot be asked.
+    #[error(transparent)]
+    Subject(#[from] SubjectError),
+    /// The limits cannot be decided.
+    #[error(transparent)]
+    Scheme(#[from] SchemeError),
+    /// There is no proof.
+    #[error(transparent)]
+    Proof(#[from] CertificationError),
+}
+
+/// Certificates of every limit of a subject: of stability, without growth and within each of the budgets, and of monotonicity.
+///
+/// # Errors
+/// When a limit is not proved, or the kernel has no name.
+pub fn certificates(
+    subject: &Subject,
+    sought: &Sought,
+    plan: &SearchPlan,
+    budgets: &[Rational],
+) -> Result<Vec<Certificate>, NotCertified> {
+    let (step, parameter) = (&sought.step, &sought.parameter);
+    let stated = certificate::Subject::new(
+        &subject.file.equations.text,
+        subject.lattice()?.as_ref(),
+        subject.integrator.as_deref(),
+        step,
+        parameter,
+    );
+    let stated = stated.ok_or(NotCertified::Nameless)?;
+    let mut certificates = Vec::new();
+    for growth in std::iter::once(&Rational::default()).chain(budgets) {
+        let plan = plan.clone().growing(growth.clone());
+        certificates.extend(certify_stability(
+            &stated,
+            &step.stable_set(parameter, &plan)?,
+            &plan,
+        )?);
+    }
+    if let Some(set) = step.monotone_set(parameter, plan)? {
+        certificates.extend(certify_monotonicity(&stated, &set, &plan.max)?);
+    }
+    Ok(certificates)
+}
+
 /// Writes certificates, whole or not at all.
 ///
 /// # Errors
 /// When the file cannot be written.
 pub fn write(path: &Path, certificates: &[Certificate]) -> Result<(), CertificateFileError> {
-    let file = File { schema: SCHEMA.into(), certificates: certificates.to_vec() };
-    let mut text = serde_json::to_vec(&file)
+    let text = to_text(certificates)
         .map_err(|error| PublishError { path: path.into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(write_whole(path, &text)?)
+    Ok(write_whole(path, text.as_bytes())?)
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// Never: certificates are made of what JSON holds.
+pub fn to_text(certificates: &[Certificate]) -> Result<String, serde_json::Error> {
+    let file = File { schema: SCHEMA.into(), certificates: certificates.to_vec() };
+    Ok(serde_json::to_string(&file)? + "\n")
 }
 
 /// Reads certificates without believing them.
@@ -72,11 +137,19 @@ pub fn write(path: &Path, certificates: &[Certificate]) -> Result<(), Certificat
 pub fn read(path: &Path) -> Result<Vec<Certificate>, CertificateFileError> {
     let text = std::fs::read_to_string(path)
         .map_err(|source| CertificateFileError::Access { path: path.into(), source })?;
-    let file: File = serde_json::from_str(&text)
+    parse(path, &text)
+}
+
+/// The certificates of a text, which errors call by the name of a file.
+///
+/// # Errors
+/// When it is not the text of a file of certificates.
+pub fn parse(path: &Path, text: &str) -> Result<Vec<Certificate>, CertificateFileError> {
+    let file: File = serde_json::from_str(text)
         .map_err(|source| CertificateFileError::Malformed { path: path.into(), source })?;
     // Lists would do for records, and a number has one spelling only.
     let malformed = |source| CertificateFileError::Malformed { path: path.into(), source };
-    let as_read: serde_json::Value = serde_json::from_str(&text).map_err(malformed)?;
+    let as_read: serde_json::Value = serde_json::from_str(text).map_err(malformed)?;
     if serde_json::to_value(&file).map_err(malformed)? != as_read {
         let source = serde::de::Error::custom("it is not written in the one way there is");
         return Err(malformed(source));
@@ -92,7 +165,17 @@ pub fn read(path: &Path) -> Result<Vec<Certificate>, CertificateFileError> {
 /// # Errors
 /// When the file cannot be read, or names the first certificate that does not hold.
 pub fn verify_file(path: &Path) -> Result<Vec<Verified>, CertificateFileError> {
-    let certificates = read(path)?;
+    verify_all(path, &read(path)?)
+}
+
+/// Checks certificates of a file: what each proves.
+///
+/// # Errors
+/// Names the first that does not hold.
+pub fn verify_all(
+    path: &Path,
+    certificates: &[Certificate],
+) -> Result<Vec<Verified>, CertificateFileError> {
     let checked = certificates.iter().enumerate().map(|(index, certificate)| {
         verify(certificate).map_err(|source| CertificateFileError::Refused {
             path: path.into(),

@@ -154,7 +154,7 @@ impl Claims {
                 };
                 let mut found = BTreeMap::new();
                 for (name, text) in &claim.measures {
-                    let what = self.numbers(text, &one).map_err(|what| failed((text, what)))?;
+                    let what = self.numbers(text, one).map_err(|what| failed((text, what)))?;
                     found.insert(name.as_str(), what);
                 }
                 let mut conditions = Vec::new();
@@ -171,7 +171,7 @@ impl Claims {
     fn numbers(
         &self,
         text: &str,
-        measure: &dyn Fn(&str, &[&str], &str) -> Option<f64>,
+        measure: impl Fn(&str, &[&str], &str) -> Option<f64>,
     ) -> Result<Numbers, &'static str> {
         let (what, sets) = text.split_once(" @ ").ok_or("has no ` @ ` before its set")?;
         let mut words: Vec<&str> = what.split(' ').collect();

@@ -12,6 +12,10 @@ use num_traits::Signed;
 use rayon::prelude::*;
 use std::fmt::Write;
 
+/// Boxes that a decision along the first parameter may look at: it adds lines to the picture, and where it takes many, as for directions in which
+/// nothing is damped, it seldom ends at all.
+const BOXES_ACROSS: usize = 2000;
+
 /// A parameter and its values, ascending.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaneAxis {
@@ -34,7 +38,8 @@ pub struct PlaneMap {
     pub lowest: Array2<f64>,
     /// The stable values of the second parameter for each value of the first: proved.
     pub stable: Vec<StableSet>,
-    /// The ends of the stable intervals of the first parameter for each value of the second, proved; none where it does not occur any more.
+    /// The ends of the stable intervals of the first parameter for each value of the second, proved; none where it does not occur any more or they
+    /// cost too much.
     pub ends_across: Vec<Vec<f64>>,
 }
 
@@ -60,6 +65,7 @@ pub fn plane_map(
     let gains = GainMap::from_rows(&gains, ys.len());
     let widest = x.values.iter().max().filter(|value| value.is_positive());
     let across = widest.map_or_else(|| plan.clone(), |widest| plan.clone().up_to(widest.clone()));
+    let across = SearchPlan { budget: across.budget.min(BOXES_ACROSS), ..across };
     let row = |value: &Rational| {
         let set = step.with(&y.name, value).and_then(|row| row.stable_set(&x.name, &across));
         set.map_or_else(|_| Vec::new(), |set| ends(&set))

@@ -5,11 +5,13 @@ use std::collections::BTreeMap;
 
 mod check;
 mod limit;
+mod probe;
 mod symbol;
 mod wave;
 
 pub use check::*;
 pub use limit::*;
+pub use probe::*;
 pub use symbol::*;
 pub use wave::*;
 

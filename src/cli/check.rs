@@ -4,7 +4,7 @@ use super::columns::{
     empty, limit_cells, limit_columns, number, phases, subject_cells, subject_columns,
 };
 use super::limit_text::{describe, wave_and_phase, wave_words};
-use super::limits::{SearchOptions, no_monotonicity};
+use super::limits::SearchOptions;
 use super::numbers::Numbers;
 use super::output::{Format, print, print_json, table_text};
 use super::subject::{
@@ -15,9 +15,9 @@ use clap::Args;
 use courant::analysis::exact::rational::{Rational, to_f64};
 use courant::analysis::scheme::SchemeError;
 use courant::analysis::stability::verdict::{Check, Verdict, check};
-use courant::analysis::stability::{Limit, PointVerdict, decide_step_at};
-use courant::reports::number::{finite, significant};
-use courant::reports::record::{CheckRecord, LimitRecord, Phases};
+use courant::analysis::stability::{PointVerdict, decide_step_at};
+use courant::reports::number::significant;
+use courant::reports::record::CheckRecord;
 use courant::reports::table::{Align, Table};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -104,7 +104,7 @@ fn answer(
     let given = if arguments.cfl.is_some() { "--cfl" } else { "--set" };
     let failed = |error| match error {
         SchemeError::Singular { .. } => Failure::Message(format!("{given}: {error}")),
-        _ => subject.failure(&error),
+        _ => subject.failure(error).into(),
     };
     let plan = arguments.search.plan(&subject);
     let found = check(&sought.step, name, &value, &plan).map_err(failed)?;
@@ -123,33 +123,7 @@ fn answer(
 }
 
 fn record(answer: &Answer) -> CheckRecord {
-    let found = &answer.found;
-    let limit = |limit: &Limit| LimitRecord::new(limit, &answer.symbol(), None);
-    let monotonicity = found.monotone_set.as_ref().map(|set| limit(&set.limit()));
-    CheckRecord {
-        subject: answer.subject.record(&answer.sought.step, Some(&answer.sought.parameter)),
-        cfl: to_f64(&answer.value),
-        verdict: found.verdict.name(),
-        monotone: found.monotone,
-        max_gain: finite(1.0 + found.growth.per_step),
-        critical_phase: found.critical_wave().as_ref().map(Phases::of),
-        growth_per_step: finite(found.growth.per_step),
-        growth_evidence: if found.growth.sampled { "sampled" } else { "refined" },
-        multiple_multipliers: if found.growth.sampled { "some" } else { "all" },
-        growth_reason: (!found.growth.per_step.is_finite())
-            .then_some("one step makes this wave larger than any number"),
-        steps_to_double: found.steps_to_double,
-        within_growth: answer.within.map(|within| match within {
-            Some(true) => "yes",
-            Some(false) => "no",
-            None => "undecided",
-        }),
-        double_multiplier_phase: found.double_multiplier.as_ref().map(Phases::of),
-        drift_phase: found.drift.as_ref().map(Phases::of),
-        stability: limit(&found.stable_set.limit()),
-        monotonicity_reason: monotonicity.is_none().then(|| no_monotonicity(&answer.subject)),
-        monotonicity,
-    }
+    CheckRecord::new(&answer.subject, &answer.sought, &answer.value, &answer.found, answer.within)
 }
 
 #[derive(Debug, Serialize)]

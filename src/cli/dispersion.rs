@@ -3,7 +3,7 @@
 use super::columns::{self, number};
 use super::numbers::{self, Names, Numbers};
 use super::output::{Format, WIDTH, print, print_json, table_text};
-use super::subject::density_name;
+use super::subject::{brief, density_name};
 use super::waves::{self, Form, MethodName, Relation};
 use super::{Failure, Outcome, names};
 use clap::{Args, ValueEnum};
@@ -61,10 +61,9 @@ pub struct Arguments {
 pub fn kappa_list(text: &str) -> Result<Numbers, String> {
     let numbers = numbers::list(text)?;
     match numbers.0.iter().find(|k| k.is_negative() || to_f64(k) > 2.0 * std::f64::consts::PI) {
-        Some(kappa) => Err(format!(
-            "{} is out of range: from 0 to 2π radians per spacing",
-            numbers::brief(kappa)
-        )),
+        Some(kappa) => {
+            Err(format!("{} is out of range: from 0 to 2π radians per spacing", brief(kappa)))
+        }
         None => Ok(numbers),
     }
 }

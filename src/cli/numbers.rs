@@ -1,7 +1,8 @@
 //! Numbers, lists and ranges, read exactly: `1,2,3`, `1:10:0.5` (inclusive), `3/2`.
 
-use courant::analysis::exact::rational::{Rational, integer, parse, to_f64, to_text};
+use courant::analysis::exact::rational::{Rational, integer, parse, to_f64};
 use courant::analysis::kernel::lattice::{MAX_INVERSE_RATIO, MAX_RATIO, RatioOutOfRange};
+use courant::reports::subject::brief;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::collections::HashSet;
 use std::num::FpCategory;
@@ -69,15 +70,6 @@ pub fn list(text: &str) -> Result<Numbers, String> {
     let mut seen = HashSet::new();
     values.retain(|value| seen.insert(value.clone()));
     Ok(Numbers(values))
-}
-
-/// A number for a message: what takes a line of its own is cut.
-pub fn brief(value: &Rational) -> String {
-    let text = to_text(value);
-    match text.char_indices().nth(24) {
-        Some((end, _)) => format!("{}… ({} characters)", &text[..end], text.len()),
-        None => text,
-    }
 }
 
 fn range(

@@ -1,19 +1,14 @@
 //! `courant symbol`.
 
-mod order;
-
 use super::columns::{empty, subject_cells, subject_columns};
 use super::output::{Format, paragraphs, print, print_json, table_text};
-use super::subject::{Defaults, Kind, Subject, SubjectOptions, assumptions};
+use super::subject::{Defaults, Kind, SubjectOptions, assumptions};
 use super::{Failure, Outcome};
 use clap::Args;
-use courant::analysis::exact::laurent::{Laurent, Variable, latex};
-use courant::analysis::exact::rational::{Rational, to_f64, to_text};
-use courant::analysis::scheme::{LetterKind, OneStep, Step};
-use courant::analysis::waves::long_waves::NoSeries;
-use courant::reports::record::{CoefficientRecord, DerivativeRecord, SymbolRecord};
+use courant::analysis::scheme::{LetterKind, OneStep};
+use courant::reports::record::{DerivativeRecord, SymbolRecord};
+use courant::reports::symbol::{Order, Symbol, coefficients};
 use courant::reports::table::{Align, Table};
-use order::{Order, order};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -35,18 +30,6 @@ pub struct Arguments {
     format: Format,
 }
 
-/// Everything about one subject.
-struct Answer {
-    subject: Subject,
-    step: Step,
-    parameter: Option<String>,
-    one_step: Option<OneStep>,
-    order: Result<Order, NoSeries>,
-    /// `χ` by powers of z, ascending.
-    characteristic: Vec<Laurent>,
-    keeps_constants: bool,
-}
-
 #[derive(Debug, Serialize)]
 struct Rows {
     rows: Vec<SymbolRecord>,
@@ -54,16 +37,16 @@ struct Rows {
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let subjects = arguments.subject.subjects(&Defaults::default())?;
-    let answers: Vec<Answer> = subjects
+    let answers: Vec<Symbol> = subjects
         .into_par_iter()
-        .map(|subject| answer(arguments, subject))
+        .map(|subject| Ok(Symbol::new(subject, arguments.terms.map(usize::from))?))
         .collect::<Result<_, Failure>>()?;
-    let records = || answers.iter().map(|answer| record(arguments, answer));
+    let records = || answers.iter().map(|answer| answer.record(arguments.matrix));
     match (arguments.format, answers.as_slice()) {
-        (Format::Json, [one]) => print_json("symbol", &record(arguments, one)),
+        (Format::Json, [one]) => print_json("symbol", &one.record(arguments.matrix)),
         (Format::Json, _) => print_json("symbol", &Rows { rows: records().collect() }),
         (Format::Latex, _) => {
-            let equation = |answer: &Answer| {
+            let equation = |answer: &Symbol| {
                 let order = answer.order.as_ref().ok()?;
                 Some(order.series.equation_latex(order.terms.as_ref()?))
             };
@@ -84,146 +67,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
 }
 
-fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
-    // Parameters may stay open here: there is nothing to be decided.
-    let (step, parameter) = match subject.sought(true) {
-        Ok(sought) => {
-            let step = match &sought.value {
-                Some(value) => sought.step.with(&sought.parameter, value),
-                None => Ok(sought.step),
-            };
-            (step.map_err(|error| subject.failure(&error))?, Some(sought.parameter))
-        }
-        Err(failure) => match subject.with_values() {
-            Ok(step) => (step, None),
-            Err(_) => return Err(failure),
-        },
-    };
-    let failed = |error| subject.failure(&error);
-    let chi = step.characteristic().map_err(failed)?;
-    // The newest level without shifts, where that is possible.
-    let leading = chi.coefficients(Variable::TIME).pop().unwrap_or_default();
-    let shifted = (0..step.dimension())
-        .map(Variable::axis)
-        .fold(chi, |chi, axis| chi.shifted(axis, -leading.range(axis).map_or(0, |(low, _)| low)));
-    let characteristic = shifted.coefficients(Variable::TIME);
-    let one_step = parameter.as_ref().and_then(|name| step.one_step(name));
-    let order = order(&subject, parameter.as_deref(), arguments.terms.map(usize::from))?;
-    let keeps_constants = step.keeps_constants().map_err(failed)?;
-    Ok(Answer { subject, step, parameter, one_step, order, characteristic, keeps_constants })
-}
-
-fn record(arguments: &Arguments, answer: &Answer) -> SymbolRecord {
-    let step = &answer.step;
-    let matrix = || {
-        let row = |row: &Vec<Laurent>| row.iter().map(|entry| step.text(entry)).collect();
-        step.matrix().rows().iter().map(row).collect()
-    };
-    let characteristic = characteristic_latex(answer);
-    let one = answer.one_step.as_ref();
-    let order = answer.order.as_ref().ok();
-    SymbolRecord {
-        subject: answer.subject.record(step, answer.parameter.as_deref()),
-        equations: answer.subject.file.equations.text.trim().into(),
-        coefficients: one.map(coefficients),
-        exact: one.map(OneStep::is_exact),
-        text: one.map_or_else(|| characteristic_text(answer), OneStep::to_text),
-        latex: one.map_or_else(|| characteristic.clone(), OneStep::to_latex),
-        characteristic,
-        characteristic_text: characteristic_text(answer),
-        degree: answer.characteristic.len() - 1,
-        unknowns: step.unknowns().to_vec(),
-        matrix: arguments.matrix.then(matrix),
-        keeps_constants: answer.keeps_constants,
-        order: order.map(Order::record),
-        order_reasons: match &answer.order {
-            Ok(order) => order.reasons(),
-            Err(reason) => vec![reason.to_string()],
-        },
-        compared_with: answer.subject.file.exact.clone(),
-        modified_equation: order.and_then(Order::equation),
-        modified_equation_reason: match &answer.order {
-            Ok(order) => order.equation_reason(),
-            Err(reason) => Some(reason.to_string()),
-        },
-        dissipation: order.and_then(Order::dissipation),
-        dispersion: order.and_then(Order::dispersion),
-        special_values: order.map(Order::special_values).unwrap_or_default(),
-        long_wave_speed: long_wave_speed(answer),
-    }
-}
-
-/// Over that of the exact step. Where the mean drifts, the speed of the first moment.
-fn long_wave_speed(answer: &Answer) -> Option<f64> {
-    let parameter = answer.parameter.as_ref()?;
-    let speed = match (&answer.order, &answer.one_step) {
-        (Ok(order), _) => order.series.speed_ratio(),
-        (Err(NoSeries::Drift), Some(one))
-            if answer.subject.file.exact == Some(format!("-I*{parameter}*phi")) =>
-        {
-            Some(-one.moment(1).coefficient(1))
-        }
-        _ => None,
-    };
-    speed.as_ref().map(to_f64)
-}
-
-/// The stencil: every neighbour from the first to the last.
-fn coefficients(one: &OneStep) -> Vec<CoefficientRecord> {
-    let offsets = || one.coefficients.iter().map(|(offset, ..)| *offset);
-    let (low, high) = (offsets().min().unwrap_or(0), offsets().max().unwrap_or(0));
-    let shown =
-        |value: &Rational| if one.is_exact() { to_text(value) } else { to_f64(value).to_string() };
-    let record = |offset| {
-        let polynomial = one.coefficient(offset);
-        let polynomial = polynomial.coefficients().iter().map(shown).collect();
-        CoefficientRecord { offset, polynomial }
-    };
-    (low..=high).map(record).collect()
-}
-
-/// `χ(z) = 0` in powers of z, the highest first; `write` sets a coefficient, `power` a power of z.
-fn in_powers(
-    answer: &Answer,
-    write: impl Fn(&Laurent) -> String,
-    power: impl Fn(usize) -> String,
-) -> String {
-    let terms: Vec<String> = answer
-        .characteristic
-        .iter()
-        .enumerate()
-        .rev()
-        .filter(|(_, coefficient)| !coefficient.is_zero())
-        .map(|(exponent, coefficient)| {
-            let text = write(coefficient);
-            let text = match (coefficient.as_monomial().is_some(), exponent) {
-                (true, 1..) if text == "1" => String::new(),
-                (true, _) => text,
-                (false, _) => format!("({text})"),
-            };
-            match exponent {
-                0 => text,
-                _ if text.is_empty() => power(exponent),
-                _ => format!("{text} {}", power(exponent)),
-            }
-        })
-        .collect();
-    format!("{} = 0", terms.join(" + ").replace("+ -", "- "))
-}
-
-fn characteristic_text(answer: &Answer) -> String {
-    let power = |exponent| if exponent == 1 { "z".into() } else { format!("z^{exponent}") };
-    in_powers(answer, |coefficient| answer.step.text(coefficient), power)
-}
-
-/// The same in LaTeX.
-fn characteristic_latex(answer: &Answer) -> String {
-    let write = |coefficient: &Laurent| latex(&answer.step.text(coefficient));
-    in_powers(answer, write, |exponent| format!("z^{{{exponent}}}").replace("^{1}", ""))
-}
-
 /// One row a neighbour, or one a scheme that has no stencil of one step.
-fn csv_table(answers: &[(&Answer, SymbolRecord)]) -> Table {
+fn csv_table(answers: &[(&Symbol, SymbolRecord)]) -> Table {
     let own = ["offset", "power", "coefficient", "keeps_constants", "order", "characteristic"];
     let columns: Vec<String> = subject_columns().chain(own.map(String::from)).collect();
     let mut table = empty(&columns);
@@ -251,7 +96,7 @@ fn csv_table(answers: &[(&Answer, SymbolRecord)]) -> Table {
 }
 
 /// The stencil as a table.
-fn stencil_table(answer: &Answer, one: &OneStep) -> Table {
+fn stencil_table(answer: &Symbol, one: &OneStep) -> Table {
     let rows = coefficients(one);
     let powers = rows.iter().map(|row| row.polynomial.len()).max().unwrap_or(0);
     let parameter = &one.parameter;
@@ -274,12 +119,12 @@ fn stencil_table(answer: &Answer, one: &OneStep) -> Table {
     table
 }
 
-fn title(answer: &Answer) -> String {
+fn title(answer: &Symbol) -> String {
     let labels = answer.subject.labels();
     labels.iter().map(|label| label.caption.clone()).collect::<Vec<_>>().join(", ")
 }
 
-fn text(answer: &Answer, format: Format) -> String {
+fn text(answer: &Symbol, format: Format) -> String {
     let mut text = match &answer.one_step {
         Some(one) => table_text(&stencil_table(answer, one), format).unwrap_or_default(),
         None => format!("{}\n", title(answer)),
@@ -287,7 +132,7 @@ fn text(answer: &Answer, format: Format) -> String {
     if format != Format::Table {
         return text;
     }
-    let characteristic = characteristic_text(answer);
+    let characteristic = answer.characteristic_text();
     let shown = match characteristic.len() <= LONGEST {
         true => format!("χ(z) = {}", characteristic.trim_end_matches(" = 0")),
         false => "χ(z) is long: see --format json".into(),
@@ -333,7 +178,7 @@ fn text(answer: &Answer, format: Format) -> String {
 }
 
 /// What is told of the order.
-fn accuracy_facts(answer: &Answer, order: &Order) -> Vec<(&'static str, String)> {
+fn accuracy_facts(answer: &Symbol, order: &Order) -> Vec<(&'static str, String)> {
     let against = match &answer.subject.file.exact {
         Some(exact) => format!("one exact step, exp({exact})"),
         None => "its own leading term, as no exact step is stated".into(),

@@ -5,8 +5,9 @@
 //! border is 0, in the middle of a cell too.
 
 use super::{FigureError, geometry::Point};
-use ndarray::Array2;
+use ndarray::{Array2, Zip};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Whether all numbers are finite and each is larger than the one before.
 pub(super) fn strictly_increasing(numbers: &[f64]) -> bool {
@@ -18,8 +19,9 @@ pub(super) fn strictly_increasing(numbers: &[f64]) -> bool {
 pub struct Field {
     pub(super) x: Vec<f64>,
     pub(super) y: Vec<f64>,
-    values: Array2<f64>,
-    border: Option<Array2<f64>>,
+    /// Shared between layers and with the page.
+    values: Arc<Array2<f64>>,
+    border: Option<Arc<Array2<f64>>>,
 }
 
 impl Field {
@@ -30,7 +32,7 @@ impl Field {
     pub fn new(x: Vec<f64>, y: Vec<f64>, values: Array2<f64>) -> Result<Field, FigureError> {
         let shape = values.dim() == (x.len(), y.len()) && x.len() > 1 && y.len() > 1;
         match shape && strictly_increasing(&x) && strictly_increasing(&y) {
-            true => Ok(Field { x, y, values, border: None }),
+            true => Ok(Field { x, y, values: Arc::new(values), border: None }),
             false => Err(FigureError::Field),
         }
     }
@@ -42,7 +44,7 @@ impl Field {
     /// If the shape is another one.
     pub fn within(self, border: Array2<f64>) -> Result<Field, FigureError> {
         match border.dim() == self.values.dim() {
-            true => Ok(Field { border: Some(border), ..self }),
+            true => Ok(Field { border: Some(Arc::new(border)), ..self }),
             false => Err(FigureError::Field),
         }
     }
@@ -98,13 +100,13 @@ impl Field {
         order.sort_by(|&a, &b| levels[a].total_cmp(&levels[b]));
         let ascending: Vec<f64> = order.iter().map(|&which| levels[which]).collect();
         // How many levels each node reaches: a cell is crossed by those that some of its nodes reach and others do not.
-        let mut reached =
-            self.values.mapv(|value| ascending.partition_point(|level| *level <= value));
-        if let Some(border) = &self.border {
-            reached.zip_mut_with(border, |reached, border| {
-                *reached = if *border >= 0.0 { *reached } else { 0 };
-            });
-        }
+        let reaches = |value: &f64| ascending.partition_point(|level| level <= value);
+        let reached = match &self.border {
+            None => self.values.map(reaches),
+            Some(border) => Zip::from(&*self.values)
+                .and(&**border)
+                .map_collect(|value, border| if *border >= 0.0 { reaches(value) } else { 0 }),
+        };
         let (columns, rows) = self.values.dim();
         let mut cells = vec![Vec::new(); levels.len()];
         for i in 0..columns - 1 {
@@ -306,7 +308,7 @@ mod tests {
             let one = field(6, 7, 1.0, |_, _| 0.0);
             let values = Array2::from_shape_vec((6, 7), values).unwrap();
             // The negated field swaps high and low everywhere, saddles included.
-            let [low, high] = [-1.0, 1.0].map(|sign| Field { values: values.mapv(|v| sign * v), ..one.clone() });
+            let [low, high] = [-1.0, 1.0].map(|sign| Field { values: Arc::new(values.mapv(|v| sign * v)), ..one.clone() });
             prop_assert!((area(&high.region(level)) + area(&low.region(-level)) - 1.0).abs() < 1e-12);
             // Bounded by itself a field is what it is at least 0.
             let bounded = high.clone().within(values).unwrap();

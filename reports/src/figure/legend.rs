@@ -48,7 +48,9 @@ pub(super) fn rows<'a>(
     let mut rows: Vec<Vec<Entry>> = Vec::new();
     for entry in entries {
         match rows.last_mut() {
-            Some(row) if width(row) + width(&[entry.clone()]) <= room + SAMPLE => row.push(entry),
+            Some(row) if width(row) + width(std::slice::from_ref(&entry)) <= room + SAMPLE => {
+                row.push(entry)
+            }
             _ => rows.push(vec![entry]),
         }
     }

@@ -1,6 +1,11 @@
 //! What `check` says of one value.
 
 use super::{LimitRecord, Phases, SubjectRecord};
+use crate::number::finite;
+use crate::subject::{Sought, Subject};
+use courant_analysis::exact::rational::{Rational, to_f64};
+use courant_analysis::stability::Limit;
+use courant_analysis::stability::verdict::Check;
 use serde::Serialize;
 
 /// The answer of `check`.
@@ -46,4 +51,44 @@ pub struct CheckRecord {
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub monotonicity_reason: Option<&'static str>,
+}
+
+impl CheckRecord {
+    /// Of what was found of a subject at one value of the parameter in question; `within` says whether the growth is within what is
+    /// accepted, where that was asked, and nothing where it is not decided.
+    pub fn new(
+        subject: &Subject,
+        sought: &Sought,
+        value: &Rational,
+        found: &Check,
+        within: Option<Option<bool>>,
+    ) -> Self {
+        let symbol = subject.symbol(&sought.parameter);
+        let limit = |limit: &Limit| LimitRecord::new(limit, &symbol, None);
+        let monotonicity = found.monotone_set.as_ref().map(|set| limit(&set.limit()));
+        Self {
+            subject: subject.record(&sought.step, Some(&sought.parameter)),
+            cfl: to_f64(value),
+            verdict: found.verdict.name(),
+            monotone: found.monotone,
+            max_gain: finite(1.0 + found.growth.per_step),
+            critical_phase: found.critical_wave().as_ref().map(Phases::of),
+            growth_per_step: finite(found.growth.per_step),
+            growth_evidence: if found.growth.sampled { "sampled" } else { "refined" },
+            multiple_multipliers: if found.growth.sampled { "some" } else { "all" },
+            growth_reason: (!found.growth.per_step.is_finite())
+                .then_some("one step makes this wave larger than any number"),
+            steps_to_double: found.steps_to_double,
+            within_growth: within.map(|within| match within {
+                Some(true) => "yes",
+                Some(false) => "no",
+                None => "undecided",
+            }),
+            double_multiplier_phase: found.double_multiplier.as_ref().map(Phases::of),
+            drift_phase: found.drift.as_ref().map(Phases::of),
+            stability: limit(&found.stable_set.limit()),
+            monotonicity_reason: monotonicity.is_none().then(|| subject.without_monotonicity()),
+            monotonicity,
+        }
+    }
 }

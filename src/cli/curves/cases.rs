@@ -2,8 +2,8 @@
 
 use super::Arguments;
 use crate::cli::Failure;
-use crate::cli::subject::{Defaults, Kind, Label, Subject, complete};
-use courant::analysis::exact::rational::{integer, to_text};
+use crate::cli::subject::{Defaults, Label, Subject, SubjectError, option};
+use courant::analysis::exact::rational::integer;
 use courant::analysis::scheme::{Integrator, Step};
 use courant::analysis::waves::branches::Branches;
 use courant::analysis::waves::exact_wave::ExactWave;
@@ -46,7 +46,7 @@ pub fn cases(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
     match cases.iter().find(|case| case.branches.dimension() != dimension) {
         Some(other) => Err(refuse(format!(
             "{} {}: it has {} space dimensions, {} has {dimension}; one figure takes one kind",
-            other.subject.kind.option(),
+            option(other.subject.kind),
             other.subject.file.name,
             other.branches.dimension(),
             cases[0].subject.file.name
@@ -56,7 +56,7 @@ pub fn cases(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
 }
 
 fn case(arguments: &Arguments, mut subject: Subject) -> Result<Case, Failure> {
-    let failed = |error| subject.failure(&error);
+    let failed = |error| subject.failure(error);
     if !subject.file.is_of_lines() || subject.integrator.is_some() {
         let step = subject.complete_step()?;
         let (exact, without_exact) = exact(arguments, &subject, &step)?;
@@ -71,9 +71,12 @@ fn case(arguments: &Arguments, mut subject: Subject) -> Result<Case, Failure> {
         subject.values.push((free, integer(1)));
     }
     let euler = Integrator::named("forward-euler").expect("it is in the catalogue");
-    let failed = |error| subject.failure(&error);
+    let failed = |error| subject.failure(error);
     let step = Step::lines(&lines, euler).map_err(failed)?;
-    complete(&step)?;
+    match step.free_parameters() {
+        open if open.is_empty() => {}
+        open => return Err(SubjectError::NotSet(open).into()),
+    }
     let (exact, without_exact) = exact(arguments, &subject, &step)?;
     let branches = Branches::of_lines(&lines, exact).map_err(failed)?;
     Ok(Case { step, branches, without_exact, subject })
@@ -90,23 +93,18 @@ fn exact(
         let stated = stated.map_err(|error| refuse(format!("--exact: {error}")))?;
         return Ok((stated, None));
     }
-    let text = match (&subject.file.exact, subject.kind, &subject.kernel) {
-        (Some(text), ..) => text.clone(),
-        // c = 1, and C counts h.
-        (None, Kind::Method, Some((_, ratio))) => format!("±I*C*({})*phi", to_text(ratio)),
-        _ => {
-            let leading = ExactWave::leading(step);
-            let why = |error| format!("{error}; give the exponent of the exact step by --exact");
-            return Ok(match leading {
-                Ok(waves) => (waves, None),
-                Err(error) => (Vec::new(), Some(why(error))),
-            });
-        }
+    let Some(text) = subject.exact_step() else {
+        let leading = ExactWave::leading(step);
+        let why = |error| format!("{error}; give the exponent of the exact step by --exact");
+        return Ok(match leading {
+            Ok(waves) => (waves, None),
+            Err(error) => (Vec::new(), Some(why(error))),
+        });
     };
     let stated = ExactWave::stated(&text, step);
-    stated.map(|waves| (waves, None)).map_err(|error| {
-        refuse(format!("{} {}: {error}", subject.kind.option(), subject.file.name))
-    })
+    stated
+        .map(|waves| (waves, None))
+        .map_err(|error| refuse(format!("{} {}: {error}", option(subject.kind), subject.file.name)))
 }
 
 impl Case {

@@ -6,10 +6,10 @@ mod tables;
 
 use super::numbers::Numbers;
 use super::output::{Format, print, print_json};
-use super::subject::{Defaults, Kind, Sought, Subject, SubjectOptions};
+use super::subject::{Defaults, Sought, Subject, SubjectOptions};
 use super::{Failure, Outcome, numbers};
 use clap::Args;
-use courant::analysis::certificate::{self, Certificate, certify_monotonicity, certify_stability};
+use courant::analysis::certificate::Certificate;
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::analysis::stability::{
     DEFAULT_BITS, Limit, Refinement, SearchPlan, SingularStep, StableSet, Wave,
@@ -127,7 +127,7 @@ fn bits(arguments: &Arguments) -> u32 {
 fn answer(arguments: &Arguments, subject: Subject) -> Result<Answer, Failure> {
     let sought = subject.sought(false)?;
     let plan = arguments.search.plan(&subject).to_bits(bits(arguments));
-    let failed = |error| subject.failure(&error);
+    let failed = |error| subject.failure(error);
     let (step, parameter) = (&sought.step, &sought.parameter);
     let (stability, set) = match arguments.samples {
         Some(samples) => (sampled(&subject, samples, &plan.max)?, None),
@@ -191,52 +191,17 @@ fn write_certificates(
     let certified: Result<Vec<Vec<Certificate>>, Failure> = answers
         .par_iter()
         .map(|answer| {
-            let (subject, sought) = (&answer.subject, &answer.sought);
-            let failed = |error: String| {
-                Failure::Message(format!("--certificate: {}: {error}", subject.file.name))
-            };
-            let lattice = subject.lattice()?;
-            let stated = certificate::Subject::new(
-                &subject.file.equations.text,
-                lattice.as_ref(),
-                subject.integrator.as_deref(),
-                &sought.step,
-                &sought.parameter,
-            );
-            let stated = stated.ok_or_else(|| failed("its kernel has no name".into()))?;
+            let subject = &answer.subject;
             let plan = arguments.search.plan(subject);
-            let zero = Rational::zero();
-            let budgets =
-                std::iter::once(&zero).chain(answer.growth.iter().map(|(growth, _)| growth));
-            let mut certificates = Vec::new();
-            for growth in budgets {
-                let plan = plan.clone().growing(growth.clone());
-                let set = sought.step.stable_set(&sought.parameter, &plan);
-                let set = set.map_err(|error| failed(error.to_string()))?;
-                let found = certify_stability(&stated, &set, &plan);
-                certificates.extend(found.map_err(|error| failed(error.to_string()))?);
-            }
-            let monotone = sought.step.monotone_set(&sought.parameter, &plan);
-            if let Some(set) = monotone.map_err(|error| failed(error.to_string()))? {
-                let found = certify_monotonicity(&stated, &set, &plan.max);
-                certificates.extend(found.map_err(|error| failed(error.to_string()))?);
-            }
-            Ok(certificates)
+            let budgets = budgets(arguments);
+            certificate_file::certificates(subject, &answer.sought, &plan, budgets).map_err(|why| {
+                Failure::Message(format!("--certificate: {}: {why}", subject.file.name))
+            })
         })
         .collect();
     let certificates: Vec<Certificate> = certified?.into_iter().flatten().collect();
     certificate_file::write(file, &certificates)
         .map_err(|error| Failure::Message(format!("--certificate: {error}")))
-}
-
-/// Why there is no monotone limit.
-pub fn no_monotonicity(subject: &Subject) -> &'static str {
-    match subject.kind {
-        Kind::Method => "monotonicity is a property of advection schemes",
-        _ => {
-            "whether all coefficients are positive is asked of explicit schemes between two time levels for one unknown"
-        }
-    }
 }
 
 fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
@@ -261,7 +226,7 @@ fn row(arguments: &Arguments, answer: &Answer) -> LimitsRow {
         monotone_set: answer.monotone_set.as_ref().map(|set| intervals(set, symbol)),
         monotonicity_reason: match answer.monotonicity {
             Some(_) => None,
-            None => Some(no_monotonicity(&answer.subject)),
+            None => Some(answer.subject.without_monotonicity()),
         },
         singular: answer
             .singular

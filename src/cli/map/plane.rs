@@ -2,7 +2,7 @@
 
 use super::{Arguments, MAX_POINTS};
 use crate::cli::progress::Bar;
-use crate::cli::subject::{Defaults, Subject};
+use crate::cli::subject::{Defaults, Subject, SubjectError};
 use crate::cli::{Failure, Outcome, numbers};
 use courant::analysis::scheme::catalogue;
 use courant::analysis::stability::SearchPlan;
@@ -36,12 +36,21 @@ pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcom
     let bar = Bar::new("map");
     let mut maps = Vec::new();
     for (index, subject) in subjects.iter().enumerate() {
-        let step = subject.plane(x, y)?;
+        let step = subject.plane([&x.name, &y.name]).map_err(|error| match error.unknown() {
+            Some(problem) => {
+                let (option, name) = match &error {
+                    SubjectError::UnknownParameter { name, .. } if *name == x.name => ("--x", name),
+                    _ => ("--y", &y.name),
+                };
+                refuse(format!("{option} {name}: {problem}"))
+            }
+            None => error.into(),
+        })?;
         let progress =
             |done: usize, all: usize| bar.advance(index * all + done, all * subjects.len());
         let map = plane_map(&step, x.clone(), y.clone(), &SearchPlan::default(), &progress)
             .map_err(|error| match error {
-                SweepError::Scheme(error) => subject.failure(&error),
+                SweepError::Scheme(error) => subject.failure(error).into(),
                 other => refuse(other.to_string()),
             })?;
         maps.push((subject, map));

@@ -5,160 +5,24 @@ use crate::cli::limit_text::{describe, direction, exact_below, has_gaps, set, wa
 use crate::cli::output::{Format, paragraphs, print, print_json, print_record, table_text};
 use crate::cli::subject::shown;
 use crate::cli::{Failure, Outcome};
-use courant::analysis::exact::rational::{Rational, to_f64, to_text};
-use courant::analysis::scheme::measurement::{Base, MeasuredStep, StencilTerm};
-use courant::analysis::stability::{Evidence, Judgement, StableSet};
-use courant::reports::number::{finite, significant};
-use courant::reports::record::{IntervalRecord, LimitRecord, Phases, intervals, undecided};
+use courant::analysis::exact::rational::{to_f64, to_text};
+use courant::analysis::scheme::measurement::{Base, Probed};
+use courant::analysis::stability::Evidence;
+use courant::reports::number::significant;
+use courant::reports::record::ProbeRecord;
 use courant::reports::table::{Align, Table};
-use serde::Serialize;
-use std::collections::BTreeMap;
 
 /// The longest equation that is shown.
 const LONGEST_EQUATION: usize = 600;
 
-/// A program that is a scheme.
-pub struct Answer {
-    pub measured: MeasuredStep,
-    /// Where the program was run.
-    pub values: Vec<Rational>,
-    /// The largest of what a step adds to zero.
-    pub source: f64,
-    pub stable_set: Option<StableSet>,
-    pub monotone_set: Option<StableSet>,
-    /// Of the only step there is, or of values of the parameter.
-    pub judgements: Vec<(Option<Rational>, Judgement)>,
-}
-
 /// Why nothing is known of a program, or it is no scheme, in one line.
 pub struct Refusal(pub String);
 
-#[derive(Debug, Serialize)]
-struct Record {
-    /// Whether the program ran and is a scheme.
-    measured: bool,
-    reason: Option<String>,
-    command: Vec<String>,
-    unknowns: Vec<String>,
-    levels: usize,
-    size: Vec<usize>,
-    dimension: usize,
-    /// Whether derivatives about a state were measured.
-    linearised: bool,
-    tolerance: f64,
-    parameter: Option<String>,
-    parameters: BTreeMap<String, String>,
-    #[serde(flatten)]
-    found: Option<Found>,
-}
-
-#[derive(Debug, Serialize)]
-struct Found {
-    /// Whether all coefficients were recognised as fractions.
-    recognised: bool,
-    /// Growth per step that is not told from none.
-    growth_tolerance: f64,
-    /// What a step adds to zero.
-    source: f64,
-    fitted_at: Vec<String>,
-    verifications: usize,
-    keeps_constants: bool,
-    equations: Vec<String>,
-    coefficients: Vec<CoefficientRecord>,
-    stability: Option<LimitRecord>,
-    stable_set: Vec<IntervalRecord>,
-    undecided: Vec<IntervalRecord>,
-    monotonicity: Option<LimitRecord>,
-    rows: Vec<JudgementRecord>,
-}
-
-#[derive(Debug, Serialize)]
-struct CoefficientRecord {
-    of: String,
-    reads: String,
-    /// From 0 for the newest of the levels that a step starts from, −1 for the one before.
-    level: i64,
-    offset: Vec<i64>,
-    polynomial: Vec<String>,
-    values: Vec<f64>,
-}
-
-#[derive(Debug, Serialize)]
-struct JudgementRecord {
-    /// The value of the parameter; null where none is sought.
-    value: Option<f64>,
-    exact: Option<String>,
-    verdict: &'static str,
-    max_gain: Option<f64>,
-    critical_phase: Phases,
-    evidence: &'static str,
-}
-
-fn record(arguments: &Arguments, plan: &Plan, answer: Result<&Answer, &Refusal>) -> Record {
-    let set = plan.fixed.iter().map(|(name, value)| (name.clone(), to_text(value)));
-    Record {
-        measured: answer.is_ok(),
-        reason: answer.err().map(|refusal| refusal.0.clone()),
+fn record(arguments: &Arguments, plan: &Plan, answer: Result<&Probed, &Refusal>) -> ProbeRecord {
+    ProbeRecord {
         command: arguments.command.clone(),
-        unknowns: arguments.unknowns.0.clone(),
-        levels: plan.layout.levels,
-        size: plan.layout.size.clone(),
-        dimension: plan.layout.size.len(),
-        linearised: plan.experiment.base != Base::Zero,
-        tolerance: plan.experiment.tolerance,
-        parameter: plan.sought.clone(),
-        parameters: set.collect(),
-        found: answer.ok().map(|answer| found(plan, answer)),
-    }
-}
-
-fn found(plan: &Plan, answer: &Answer) -> Found {
-    let measured = &answer.measured;
-    let symbol = measured.parameter.as_deref().unwrap_or_default();
-    // The closed form of a limit of decimals says nothing.
-    let closed = |record: LimitRecord| match measured.recognised {
-        true => record,
-        false => LimitRecord { exact: None, equation: None, ..record },
-    };
-    let of = |set: &StableSet| closed(LimitRecord::new(&set.limit(), symbol, None));
-    let interval = |record: IntervalRecord| IntervalRecord {
-        begin: record.begin.map(closed),
-        end: record.end.map(closed),
-        ..record
-    };
-    let stretches = answer.stable_set.iter().flat_map(|set| intervals(set, symbol));
-    let names = measured.step.unknowns();
-    let coefficient = |term: &StencilTerm| CoefficientRecord {
-        of: names[term.place.row].clone(),
-        reads: names[term.place.column].clone(),
-        level: term.place.level as i64 + 1 - measured.levels as i64,
-        offset: term.place.offset.clone(),
-        polynomial: term.coefficient.coefficients().iter().map(to_text).collect(),
-        values: term.coefficient.coefficients().iter().map(to_f64).collect(),
-    };
-    let judged = |(value, found): &(Option<Rational>, Judgement)| JudgementRecord {
-        value: value.as_ref().map(to_f64),
-        exact: value.as_ref().map(to_text),
-        verdict: found.verdict.name(),
-        max_gain: finite(found.largest),
-        critical_phase: Phases::of(&found.wave),
-        evidence: Evidence::Measured.name(),
-    };
-    let sought = plan.sought.iter().flat_map(|_| &answer.values);
-    Found {
-        recognised: measured.recognised,
-        growth_tolerance: to_f64(&measured.growth),
-        source: answer.source,
-        fitted_at: sought.map(to_text).collect(),
-        verifications: measured.verifications,
-        keeps_constants: measured.step.keeps_constants().unwrap_or(false),
-        equations: measured.equations(),
-        coefficients: measured.terms.iter().map(coefficient).collect(),
-        stability: answer.stable_set.as_ref().map(of),
-        stable_set: stretches.map(interval).collect(),
-        undecided: answer.stable_set.as_ref().map_or_else(Vec::new, undecided),
-        monotonicity: answer.monotone_set.as_ref().map(of),
-        rows: answer.judgements.iter().map(judged).collect(),
+        parameters: plan.fixed.iter().map(|(name, value)| (name.clone(), to_text(value))).collect(),
+        ..ProbeRecord::new(&plan.probe, answer.map_err(|refusal| refusal.0.as_str()))
     }
 }
 
@@ -175,7 +39,7 @@ pub fn refuse(arguments: &Arguments, plan: &Plan, refusal: &Refusal) -> Result<O
     Ok(Outcome::No)
 }
 
-pub fn show(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Result<Outcome, Failure> {
+pub fn show(arguments: &Arguments, plan: &Plan, answer: &Probed) -> Result<Outcome, Failure> {
     match arguments.format {
         Format::Json => print_json("probe", &record(arguments, plan, Ok(answer)))?,
         format @ (Format::Table | Format::Markdown | Format::Latex) => {
@@ -194,9 +58,10 @@ pub fn show(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Result<Outco
     Ok(if accepted { Outcome::Yes } else { Outcome::No })
 }
 
-fn table(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Table {
+fn table(arguments: &Arguments, plan: &Plan, answer: &Probed) -> Table {
     let measured = &answer.measured;
-    let size: Vec<String> = plan.layout.size.iter().map(usize::to_string).collect();
+    let size: Vec<String> =
+        plan.probe.experiment.layout.size.iter().map(usize::to_string).collect();
     let settings = plan.fixed.iter().map(|(name, value)| format!(", {name} = {}", shown(value)));
     let caption = format!(
         "{}, measured on {} cells{}",
@@ -206,7 +71,7 @@ fn table(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Table {
     );
     let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Left)]);
     let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
-    let linear = match plan.experiment.base {
+    let linear = match plan.probe.experiment.base {
         Base::Zero if answer.source > 0.0 => "linear, with a source that is left out",
         Base::Zero => "linear",
         Base::About(_) => "linearised about the state given",
@@ -243,7 +108,7 @@ fn table(arguments: &Arguments, plan: &Plan, answer: &Answer) -> Table {
     table
 }
 
-fn remarks(plan: &Plan, answer: &Answer) -> Vec<String> {
+fn remarks(plan: &Plan, answer: &Probed) -> Vec<String> {
     let measured = &answer.measured;
     let mut remarks = Vec::new();
     for (equation, unknown) in measured.equations().into_iter().zip(measured.step.unknowns()) {
@@ -253,7 +118,7 @@ fn remarks(plan: &Plan, answer: &Answer) -> Vec<String> {
             equation
         });
     }
-    let share = significant(plan.experiment.tolerance, 2);
+    let share = significant(plan.probe.experiment.tolerance, 2);
     let of = match &measured.parameter {
         Some(name) => {
             let verified = measured.verifications;
@@ -274,7 +139,7 @@ fn remarks(plan: &Plan, answer: &Answer) -> Vec<String> {
             significant(to_f64(&measured.growth), 2)
         )
     });
-    if let (Some(name), None) = (&plan.sought, &measured.parameter) {
+    if let (Some(name), None) = (&plan.probe.sought, &measured.parameter) {
         remarks.push(format!("The step does not depend on {name}."));
     }
     if let Some(set) = &answer.stable_set {

@@ -7,31 +7,21 @@ use super::numbers::{self, Names, Numbers};
 use super::output::Format;
 use super::progress::Bar;
 use super::{Failure, Outcome, subject};
-use answer::{Answer, Refusal};
+use answer::Refusal;
 use clap::Args;
 use command::{Given, NoStep, StepProgram, tuple};
 use courant::analysis::exact::rational::{Rational, to_f64};
 use courant::analysis::scheme::measurement::{
-    Base, Experiment, MeasuredStencil, MeasuredStep, Objection, StateLayout,
+    Base, Experiment, MOST_VALUES, MeasuredStencil, Objection, Probe, Probed, StateLayout,
 };
-use courant::analysis::stability::{SearchPlan, judge};
+use courant::analysis::stability::SearchPlan;
 use courant::reports::npy::NpyArray;
-use rayon::prelude::*;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// Numbers of a state at most: 800 MB are enough for a mistake.
-const MOST_VALUES: usize = 100_000_000;
-
 /// Cells along the only axis when nobody says how many.
 const SIZE: usize = 32;
-
-/// A measured number may be wrong by so many units of the last place: sums over a long row.
-const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
-
-/// The same for differences about a state: truncation and round-off are then equal.
-const OF_DIFFERENCES: f64 = 1e-9;
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -125,13 +115,8 @@ fn seconds(text: &str) -> Result<f64, String> {
 
 /// What is asked of the program.
 struct Plan {
-    layout: StateLayout,
-    experiment: Experiment,
-    /// The parameter whose limit is sought.
-    sought: Option<String>,
-    /// Its values to be judged.
-    judged: Vec<Rational>,
-    /// The others.
+    probe: Probe,
+    /// The values of parameters that are not sought.
     fixed: Vec<(String, Rational)>,
 }
 
@@ -139,7 +124,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let plan = plan(arguments)?;
     match measure(arguments, &plan)? {
         Ok(measured) => {
-            let answer = analysed(arguments, &plan, measured)?;
+            let answer = analysed(arguments, &plan, measured);
             match answer {
                 Ok(answer) => answer::show(arguments, &plan, &answer),
                 Err(refusal) => answer::refuse(arguments, &plan, &refusal),
@@ -156,10 +141,7 @@ fn plan(arguments: &Arguments) -> Result<Plan, Failure> {
         unknowns: arguments.unknowns.0.len(),
         size: arguments.size.0.clone(),
     };
-    let values = layout.size.iter().try_fold(layout.levels * layout.unknowns, |all, &size| {
-        all.checked_mul(size).filter(|all| *all <= MOST_VALUES)
-    });
-    if values.is_none() {
+    if !layout.fits() {
         return Err(refuse(format!(
             "--size {}: a state would have more than {MOST_VALUES} numbers",
             arguments.size
@@ -194,10 +176,10 @@ fn plan(arguments: &Arguments) -> Result<Plan, Failure> {
         None => Base::Zero,
         Some(text) => Base::About(about(text, &layout)?),
     };
-    let usual = if base == Base::Zero { ROUND_OFF } else { OF_DIFFERENCES };
-    let tolerance = arguments.tolerance.unwrap_or(usual);
-    let experiment = Experiment { layout: layout.clone(), base, tolerance };
-    Ok(Plan { layout, experiment, sought, judged, fixed })
+    let tolerance = arguments.tolerance.unwrap_or(base.usual_tolerance());
+    let experiment = Experiment { layout, base, tolerance };
+    let (unknowns, fit) = (arguments.unknowns.0.clone(), arguments.fit.0.clone());
+    Ok(Plan { probe: Probe { experiment, unknowns, sought, fit, judged }, fixed })
 }
 
 /// A state from a file, or a uniform one.
@@ -229,8 +211,7 @@ fn about(text: &str, layout: &StateLayout) -> Result<Vec<f64>, Failure> {
         };
         return Err(refuse(format!("{found} numbers; {accepted}")));
     }
-    let blocks = (0..layout.levels * layout.unknowns).map(|block| values[block % values.len()]);
-    Ok(blocks.flat_map(|value| std::iter::repeat_n(value, layout.cells())).collect())
+    Ok(layout.uniform(&values))
 }
 
 /// The stencils at the values of the sought parameter; at the only one there is where none is sought.
@@ -238,99 +219,43 @@ type Stencils = Vec<(Rational, MeasuredStencil)>;
 
 fn measure(arguments: &Arguments, plan: &Plan) -> Result<Result<Stencils, Refusal>, Failure> {
     let timeout = Duration::from_secs_f64(arguments.timeout);
-    let program = StepProgram::new(&arguments.command, plan.layout.clone(), timeout)
+    let layout = plan.probe.experiment.layout.clone();
+    let program = StepProgram::new(&arguments.command, layout, timeout)
         .map_err(|error| Failure::Message(format!("a temporary directory: {error}")))?;
-    let values = match &plan.sought {
-        // What is judged is run as well: polynomials through other values say nothing of it.
-        Some(_) => {
-            let mut values = arguments.fit.0.clone();
-            values.extend(
-                plan.judged
-                    .iter()
-                    .filter(|value| !values.contains(value))
-                    .cloned()
-                    .collect::<Vec<_>>(),
-            );
-            values
-        }
-        None => vec![Rational::default()],
-    };
     let bar = Bar::new("running the program");
-    let (done, all) = (AtomicUsize::new(0), values.len() * plan.experiment.runs());
-    let at = |value: &Rational| {
-        let given = |(name, value): (&String, &Rational)| Given {
-            name: name.clone(),
-            value: to_f64(value).to_string(),
-        };
-        let fixed = plan.fixed.iter().map(|(name, value)| (name, value));
-        let given: Vec<Given> =
-            fixed.chain(plan.sought.iter().map(|name| (name, value))).map(given).collect();
-        plan.experiment.measure(|state| {
-            let found = program.step(state, &given);
-            let _ = bar.advance(done.fetch_add(1, Ordering::Relaxed) + 1, all);
-            found
-        })
+    let (done, all) = (AtomicUsize::new(0), plan.probe.runs());
+    let given = |(name, value): (&String, &Rational)| Given {
+        name: name.clone(),
+        value: to_f64(value).to_string(),
     };
-    // What is wrong with the program shows at the first value; the others run side by side.
-    let found = at(&values[0]).map_err(|objection| (&values[0], objection)).and_then(|first| {
-        let rest = values[1..].par_iter().map(|value| {
-            at(value).map(|one| (value.clone(), one)).map_err(|objection| (value, objection))
-        });
-        let rest: Vec<_> = rest.collect::<Vec<_>>().into_iter().collect::<Result<_, _>>()?;
-        Ok([vec![(values[0].clone(), first)], rest].concat())
+    let found = plan.probe.measure(|value, state| {
+        let fixed = plan.fixed.iter().map(|(name, value)| (name, value));
+        let sought = plan.probe.sought.iter().map(|name| (name, value));
+        let found = program.step(state, &fixed.chain(sought).map(given).collect::<Vec<_>>());
+        let _ = bar.advance(done.fetch_add(1, Ordering::Relaxed) + 1, all);
+        found
     });
     bar.finish();
-    match found {
-        Ok(stencils) => Ok(Ok(stencils)),
-        Err((value, objection)) => {
-            let place = match &plan.sought {
-                Some(name) => format!("{name} = {}: ", subject::shown(value)),
-                None => String::new(),
-            };
-            match objection {
-                Objection::Step(NoStep::Protocol(text)) => {
-                    Err(Failure::Message(format!("{place}{text}")))
-                }
-                other => Ok(Err(Refusal(format!("{place}{other}")))),
-            }
+    let refused = match found {
+        Ok(stencils) => return Ok(Ok(stencils)),
+        Err(refused) => refused,
+    };
+    let place = match (&plan.probe.sought, &refused.value) {
+        (Some(name), Some(value)) => format!("{name} = {}: ", subject::shown(value)),
+        _ => String::new(),
+    };
+    match &refused.objection {
+        Objection::Step(NoStep::Protocol(text)) => Err(Failure::Message(format!("{place}{text}"))),
+        objection @ Objection::NotProportional { .. } => {
+            Ok(Err(Refusal(format!("{place}{objection} (--about STATE)"))))
         }
+        objection => Ok(Err(Refusal(format!("{place}{objection}")))),
     }
 }
 
-fn analysed(
-    arguments: &Arguments,
-    plan: &Plan,
-    stencils: Stencils,
-) -> Result<Result<Answer, Refusal>, Failure> {
-    let sought = plan.sought.as_deref();
-    let unknowns = &arguments.unknowns.0;
-    let measured = match MeasuredStep::fit(&plan.layout, unknowns, sought, &stencils) {
-        Ok(measured) => measured,
-        Err(error) => return Ok(Err(Refusal(error.to_string()))),
-    };
-    let source = stencils.iter().map(|(_, one)| one.source).fold(0.0, f64::max);
+fn analysed(arguments: &Arguments, plan: &Plan, stencils: Stencils) -> Result<Probed, Refusal> {
     let search = SearchPlan::default().up_to(arguments.max.clone());
     let budget = arguments.budget.unwrap_or(search.budget);
-    let search = SearchPlan { budget, ..search }.growing(measured.growth.clone());
-    let (mut stable_set, mut monotone_set) = (None, None);
-    if let Some(parameter) = &measured.parameter {
-        stable_set = Some(measured.step.stable_set(parameter, &search)?);
-        if measured.recognised {
-            // The sign of what is 0 but for a tolerance says nothing.
-            monotone_set = measured.step.monotone_set(parameter, &search)?;
-        }
-    }
-    let judgements = match &measured.parameter {
-        None => vec![(None, judge(&measured.step, &measured.growth)?)],
-        Some(name) => plan
-            .judged
-            .par_iter()
-            .map(|value| {
-                let at = measured.step.with(name, value)?;
-                Ok((Some(value.clone()), judge(&at, &measured.growth)?))
-            })
-            .collect::<Result<_, Failure>>()?,
-    };
-    let values = stencils.into_iter().map(|(value, _)| value).collect();
-    Ok(Ok(Answer { measured, values, source, stable_set, monotone_set, judgements }))
+    let found = plan.probe.analyse(stencils, &SearchPlan { budget, ..search });
+    found.map_err(|error| Refusal(error.to_string()))
 }

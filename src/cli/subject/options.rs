@@ -1,17 +1,17 @@
 //! The options that name what is judged, and every combination of their lists.
 
-use super::{EquationOfState, Kind, PRESSURE, Subject};
+use super::{EquationOfState, Kind, PRESSURE, Subject, option};
 use crate::cli::numbers::{self, Names, Numbers};
 use crate::cli::waves::Form;
 use crate::cli::{Failure, names};
 use clap::Args;
-use courant::analysis::exact::rational::{Rational, integer};
+use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::Integrator;
 use courant::analysis::scheme::catalogue::{self, Known, SchemeFile};
 use courant::analysis::scheme::language::parse;
 use courant::analysis::spelling::spells;
-use num_traits::Signed;
+use std::str::FromStr;
 use std::sync::Arc;
 
 /// Combinations of one answer at most.
@@ -50,7 +50,7 @@ pub struct SubjectOptions {
     alpha: Option<Numbers>,
     /// Equations of state of a particle method: isothermal, ideal:GAMMA or tait:P0, with P0 in units of ρ c² (default:
     /// isothermal).
-    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| numbers::names(text, equation_of_state), help_heading = "Subject")]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| numbers::names(text, EquationOfState::from_str), help_heading = "Subject")]
     eos: Option<Names<EquationOfState>>,
     /// Densities of a particle method: summation or continuity, which is the mass per spacing (default: summation).
     #[arg(long, value_parser = |text: &str| numbers::names(text, names::density), help_heading = "Subject")]
@@ -100,27 +100,6 @@ pub fn setting(text: &str) -> Result<(String, Numbers), String> {
         return Err(format!("`{name}` is no name of a parameter; write NAME=VALUES"));
     }
     Ok((name.into(), numbers::list(values)?))
-}
-
-/// What linear theory sees of an equation of state.
-fn equation_of_state(text: &str) -> Result<EquationOfState, String> {
-    let accepted =
-        "accepted: isothermal, ideal:GAMMA such as ideal:7/5, tait:P0 with P0 in units of ρ c²";
-    let (kind, number) = match text.split_once(':') {
-        Some((kind, number)) => {
-            let read = numbers::number(number).map_err(|error| format!("{error}; {accepted}"))?;
-            (kind, Some(read))
-        }
-        None => (text, None),
-    };
-    let pressure = match (kind.to_ascii_lowercase().as_str(), number) {
-        ("isothermal", None) => integer(1),
-        ("ideal", Some(gamma)) if gamma.is_positive() => gamma.recip(),
-        ("ideal", Some(_)) => return Err(format!("GAMMA must be above 0; {accepted}")),
-        ("tait", Some(pressure)) => pressure,
-        _ => return Err(accepted.into()),
-    };
-    Ok(EquationOfState { name: text.to_ascii_lowercase(), pressure })
 }
 
 fn one_dimension(text: &str) -> Result<usize, String> {
@@ -173,7 +152,7 @@ impl SubjectOptions {
         let states = match (&self.eos, method) {
             (_, false) => vec![None],
             (Some(names), true) => names.0.iter().cloned().map(Some).collect(),
-            (None, true) => vec![equation_of_state("isothermal").ok()],
+            (None, true) => vec!["isothermal".parse().ok()],
         };
         let densities = match (&self.density, method) {
             (_, false) => vec![None],
@@ -258,7 +237,7 @@ impl SubjectOptions {
             };
             numbers::names(list, |name| scheme_file(kind, name, all))
                 .map(|files| (kind, files.0))
-                .map_err(|problem| refuse(format!("{} {list}: {problem}", kind.option())))
+                .map_err(|problem| refuse(format!("{} {list}: {problem}", option(kind))))
         };
         match (&self.scheme, &self.space, &self.method) {
             (Some(list), ..) => of_catalogue(Kind::Scheme, list),
@@ -411,7 +390,7 @@ fn scheme_file(kind: Kind, name: &str, all: &[SchemeFile]) -> Result<Arc<SchemeF
 
 /// Equations from the command line.
 fn typed(kind: Kind, text: &str) -> Result<Arc<SchemeFile>, Failure> {
-    let equations = parse(text).map_err(|error| refuse(format!("{}: {error}", kind.option())))?;
+    let equations = parse(text).map_err(|error| refuse(format!("{}: {error}", option(kind))))?;
     let name = text.split_whitespace().collect::<Vec<_>>().join(" ");
     Ok(Arc::new(SchemeFile {
         title: name.clone(),

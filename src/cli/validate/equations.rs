@@ -3,16 +3,15 @@
 use super::{Arguments, Measured, csv_table};
 use crate::cli::output::{Format, paragraphs, print, print_json, table_text};
 use crate::cli::progress::Bar;
-use crate::cli::subject::{Label, Subject, row_name, varying};
+use crate::cli::subject::{Label, Subject, option, row_name, varying};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::to_f64;
-use courant::analysis::scheme::SchemeError;
-use courant::analysis::stability::SearchPlan;
+use courant::reports::equation_validation::RunningSubject;
 use courant::reports::number::{finite, significant};
 use courant::reports::record::SubjectRecord;
 use courant::reports::table::{Align, Table};
 use courant::simulation::stepping::{
-    Multiplier, PerAxis, SteppingError, TorusScheme, Validation, ValidationPlan, validate,
+    Multiplier, PerAxis, SteppingError, Validation, ValidationPlan,
 };
 use rayon::prelude::*;
 use serde::Serialize;
@@ -25,8 +24,6 @@ struct Case {
     symbol: String,
     value: f64,
     validation: Validation,
-    /// What the choice of the value leaves to be said.
-    note: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -51,8 +48,6 @@ struct Record {
     tolerance: Option<f64>,
     tolerance_meaning: Option<&'static str>,
     failures: Vec<String>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    notes: Vec<String>,
     /// One number, in more dimensions one for each axis; none where they differ between subjects.
     particles: Option<PerAxis<usize>>,
     steps: usize,
@@ -106,62 +101,34 @@ fn plan(arguments: &Arguments, dimension: usize) -> Result<ValidationPlan, Failu
 }
 
 fn cases(arguments: &Arguments, subject: &Subject) -> Result<Vec<Case>, Failure> {
-    let sought = subject.sought(true)?;
-    let failed = |error| subject.failure(&error);
+    let running = RunningSubject::new(subject)?;
+    let sought = &running.sought;
     let plan = plan(arguments, sought.step.dimension())?;
     let name = &sought.parameter;
     let given = arguments.cfl.iter().flat_map(|values| &values.0).chain(&sought.value);
     let mut values: Vec<f64> = given.map(to_f64).collect();
-    let mut note = None;
     if values.is_empty() {
-        // About the limit, if there is one.
-        let range = SearchPlan::default().up_to(subject.range(None));
-        let limit = match sought.step.stable_set(name, &range) {
-            Ok(stable) => stable.limit().value(),
-            Err(error @ SchemeError::Dimension(_)) => {
-                note = Some(format!("{error}; run at {name} = 0.5, others by --cfl"));
-                f64::NAN
-            }
-            Err(error) => return Err(failed(error)),
-        };
-        let positive = limit.is_finite() && limit > 0.0;
-        values = if positive { vec![0.5 * limit, limit, 1.5 * limit] } else { vec![0.5] };
+        values = running.about_the_limit()?;
     }
-    let compiled = sought.step.compile().map_err(failed)?;
-    let lattice = subject.lattice()?;
-    let set = sought.step.set_parameters();
     values
         .into_iter()
         .map(|value| {
-            let mut parameters: Vec<(String, f64)> =
-                set.iter().map(|(name, value)| (name.clone(), to_f64(value))).collect();
-            parameters.push((name.clone(), value));
-            let stepped = |error: SteppingError| {
+            let failed = |error: SteppingError| {
                 let option = match error {
                     SteppingError::Singular { .. } | SteppingError::NoCells => {
                         let cells = PerAxis(plan.points.clone()).joined("x");
                         format!("--particles {cells}, {name} = {value}")
                     }
-                    _ => format!("{} {}", subject.kind.option(), subject.file.name),
+                    _ => format!("{} {}", option(subject.kind), subject.file.name),
                 };
                 Failure::Message(format!("{option}: {error}"))
             };
-            let running = TorusScheme::new(
-                &subject.file.equations,
-                lattice.as_ref(),
-                subject.integrator.as_deref(),
-                &parameters,
-            )
-            .map_err(stepped)?;
-            let arguments: Vec<f64> = compiled.parameters().iter().map(|_| value).collect();
-            let predicted = |phase: &[f64]| compiled.polynomial(&arguments, phase);
             Ok(Case {
                 subject: subject.clone(),
                 record: subject.record(&sought.step, Some(name)),
                 symbol: subject.symbol(name),
                 value,
-                validation: validate(&running, predicted, &plan).map_err(stepped)?,
-                note: note.clone(),
+                validation: running.validate(value, &plan).map_err(failed)?,
             })
         })
         .collect()
@@ -192,7 +159,6 @@ fn record(cases: &[Case]) -> Record {
         tolerance: finite(largest(cases.iter().map(|case| case.validation.tolerance))),
         tolerance_meaning: cases.first().map(|case| case.validation.tolerance_meaning),
         failures: failures(cases),
-        notes: notes(cases),
         particles: cells(cases).try_into().ok().map(|[cells]: [_; 1]| cells),
         steps: cases.first().map_or(0, |case| case.validation.steps),
         passed: cases.iter().all(|case| case.validation.passed),
@@ -208,13 +174,6 @@ fn cells(cases: &[Case]) -> Vec<PerAxis<usize>> {
         }
     }
     all
-}
-
-fn notes(cases: &[Case]) -> Vec<String> {
-    cases
-        .iter()
-        .filter_map(|case| Some(format!("{}: {}", name(case), case.note.as_ref()?)))
-        .collect()
 }
 
 fn failures(cases: &[Case]) -> Vec<String> {
@@ -338,5 +297,5 @@ fn conclusion(cases: &[Case]) -> Vec<String> {
         cells(cases).iter().map(|cells| cells.joined(" × ")).collect::<Vec<_>>().join(" or "),
         cases.first().map_or(0, |case| case.validation.steps)
     );
-    std::iter::once(first).chain(failures).chain(notes(cases)).collect()
+    std::iter::once(first).chain(failures).collect()
 }

@@ -27,6 +27,17 @@ pub enum Base {
     About(Vec<f64>),
 }
 
+impl Base {
+    /// How far a measured number may usually be wrong: by 64 units of the last place, as sums over a long row are; of differences about a
+    /// state by 1e-9, where truncation and round-off are equal.
+    pub fn usual_tolerance(&self) -> f64 {
+        match self {
+            Self::Zero => 64.0 * f64::EPSILON,
+            Self::About(_) => 1e-9,
+        }
+    }
+}
+
 /// How a step is measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Experiment {
@@ -57,7 +68,7 @@ pub enum Objection<E> {
     Step(E),
     /// Answers are not proportional to states.
     #[error(
-        "the step is not linear: {times} times the state does not give {times} times the answer, it is off by {off:.1e} of it{}; --about STATE linearises", hint(*off)
+        "the step is not linear: {times} times the state does not give {times} times the answer, it is off by {off:.1e} of it{}; linearise it about a state", hint(*off)
     )]
     NotProportional {
         /// The factor.
@@ -91,7 +102,7 @@ pub enum Objection<E> {
     },
     /// The stencil reaches round the lattice.
     #[error(
-        "the stencil is too wide for the lattice: an impulse reaches {reach} cells along axis {axis} of {size}; take a larger --size (an implicit step reaches all cells)"
+        "the stencil is too wide for the lattice: an impulse reaches {reach} cells along axis {axis} of {size}; take a larger size (an implicit step reaches all cells)"
     )]
     TooWide {
         /// The axis, from 0.
@@ -104,7 +115,7 @@ pub enum Objection<E> {
 }
 
 fn hint(off: f64) -> &'static str {
-    if off < SINGLE_PRECISION { " (single precision? then --tolerance 1e-6)" } else { "" }
+    if off < SINGLE_PRECISION { " (single precision? then a tolerance of 1e-6)" } else { "" }
 }
 
 impl Experiment {

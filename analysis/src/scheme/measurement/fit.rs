@@ -46,7 +46,7 @@ pub struct MeasuredStep {
 pub enum NoFit {
     /// A coefficient that no polynomial gives.
     #[error(
-        "the coefficient of old {column} in new {row} at offset {offset:?} is no polynomial in {parameter} of degree up to {degree}, and a limit needs polynomials; with a value in COMMAND in place of {{{parameter}}} that step is judged"
+        "the coefficient of old {column} in new {row} at offset {offset:?} is no polynomial in {parameter} of degree up to {degree}, and a limit needs polynomials; with a value written out in place of {parameter} that step is judged"
     )]
     NotPolynomial {
         /// The unknown that is computed.

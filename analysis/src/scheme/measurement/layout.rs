@@ -1,5 +1,8 @@
 //! How the numbers of a state lie in memory.
 
+/// Numbers of a state at most: 800 MB are enough for a mistake.
+pub const MOST_VALUES: usize = 100_000_000;
+
 /// The values of a state on a periodic lattice: time levels (oldest first), unknowns, cells, the last axis fastest (C order).
 ///
 /// ```
@@ -37,6 +40,19 @@ impl StateLayout {
     /// The shape of the new level.
     pub fn answer_shape(&self) -> Vec<usize> {
         Self { levels: 1, ..self.clone() }.state_shape()
+    }
+
+    /// Whether a state has no more numbers than [`MOST_VALUES`].
+    pub fn fits(&self) -> bool {
+        let product = |all: usize, &size: &usize| all.checked_mul(size);
+        let values = self.size.iter().try_fold(self.levels * self.unknowns, product);
+        values.is_some_and(|all| all <= MOST_VALUES)
+    }
+
+    /// The state that is the same everywhere at all levels: one number for all unknowns, or one for each.
+    pub fn uniform(&self, values: &[f64]) -> Vec<f64> {
+        let blocks = (0..self.levels * self.unknowns).map(|block| values[block % values.len()]);
+        blocks.flat_map(|value| std::iter::repeat_n(value, self.cells())).collect()
     }
 
     /// The cell of indices, which are taken round the lattice.

@@ -7,8 +7,10 @@ mod experiment;
 mod fit;
 mod from_stencil;
 mod layout;
+mod probe;
 
 pub use experiment::{Base, Experiment, MeasuredStencil, Objection};
 pub use fit::{MOST_DEGREE, MeasuredStep, NoFit};
 pub use from_stencil::{Place, StencilTerm};
-pub use layout::StateLayout;
+pub use layout::{MOST_VALUES, StateLayout};
+pub use probe::{Probe, Probed, Refused};

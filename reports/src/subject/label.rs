@@ -1,8 +1,7 @@
 //! What tells one row of an answer from another, in columns, captions and remarks.
 
-use crate::cli::numbers;
-use courant::analysis::exact::rational::{Rational, decimal_below, to_text};
-use courant::reports::table::Align;
+use crate::table::Align;
+use courant_analysis::exact::rational::{Rational, decimal_below, parse, to_text};
 
 /// What tells one row of an answer from another.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -43,7 +42,7 @@ pub fn shown(value: &Rational) -> String {
         false => mantissa,
     };
     let exact = format!("{short}{exponent}");
-    if numbers::number(&exact).as_ref() == Ok(value) { exact } else { format!("{digits}…") }
+    if parse(&exact).as_ref() == Ok(value) { exact } else { format!("{digits}…") }
 }
 
 /// The headings of labels that are not the same in all rows, and kernel and ratio wherever there are any.

@@ -1,28 +1,28 @@
 //! Order of accuracy and modified equation of a subject.
 
-use super::super::Failure;
-use super::super::subject::Subject;
-use courant::analysis::exact::rational::{to_f64, to_text};
-use courant::analysis::exact::real_roots::RealRoot;
-use courant::analysis::scheme::Step;
-use courant::analysis::waves::accuracy::{Accuracy, HIGHEST_POWER};
-use courant::analysis::waves::long_waves::{LongWaves, NoSeries};
-use courant::analysis::waves::modified_equation::ModifiedTerm;
-use courant::reports::number::significant;
-use courant::reports::record::{
-    DerivativeRecord, ModifiedTermRecord, OrderRecord, SpecialValueRecord,
-};
+use crate::number::significant;
+use crate::record::{DerivativeRecord, ModifiedTermRecord, OrderRecord, SpecialValueRecord};
+use crate::subject::{Subject, SubjectError};
+use courant_analysis::exact::rational::{to_f64, to_text};
+use courant_analysis::exact::real_roots::RealRoot;
+use courant_analysis::scheme::Step;
+use courant_analysis::waves::accuracy::{Accuracy, HIGHEST_POWER};
+use courant_analysis::waves::long_waves::{LongWaves, NoSeries};
+use courant_analysis::waves::modified_equation::ModifiedTerm;
 
 /// The highest power of the phase that is computed for a modified equation of many terms.
 const LONGEST: usize = 60;
 
 /// What the series at long waves says.
+#[derive(Debug, Clone)]
 pub struct Order {
     /// Orders where all parameters of the exact step are free.
     general: Accuracy,
     /// With the values that were given.
     accuracy: Accuracy,
+    /// The series, with the values that were given.
     pub series: LongWaves,
+    /// The terms of the modified equation, where there is one.
     pub terms: Option<Vec<ModifiedTerm>>,
     special: Vec<(RealRoot, Option<Accuracy>)>,
     parameter: String,
@@ -33,12 +33,15 @@ fn names_in(exact: &str) -> Vec<&str> {
     exact.split(|c: char| !c.is_alphanumeric() && c != '_').collect()
 }
 
-/// The order of a subject, with `terms` terms of its modified equation or as many as show what it does wrong first.
+/// The order of a subject, or why there is no series to read it from, with `terms` terms of its modified equation or as many as show what it does wrong first.
+///
+/// # Errors
+/// When the subject has no step.
 pub fn order(
     subject: &Subject,
     parameter: Option<&str>,
     terms: Option<usize>,
-) -> Result<Result<Order, NoSeries>, Failure> {
+) -> Result<Result<Order, NoSeries>, SubjectError> {
     let exact = subject.file.exact.as_deref();
     let parameter = parameter.unwrap_or_default();
     let free = exact.map_or_else(|| vec![parameter], names_in);
@@ -93,6 +96,7 @@ fn of_steps(
 }
 
 impl Order {
+    /// The orders.
     pub fn record(&self) -> OrderRecord {
         let Accuracy { space, time, .. } = self.general;
         let given = self.accuracy.overall.or(self.general.overall);
@@ -183,14 +187,17 @@ impl Order {
         Some(ModifiedTermRecord { derivative, coefficient: self.series.error_text(power) })
     }
 
+    /// The first term of the error that changes amplitudes.
     pub fn dissipation(&self) -> Option<ModifiedTermRecord> {
         self.error(self.series.leading_dissipation())
     }
 
+    /// The first term of the error that changes speeds.
     pub fn dispersion(&self) -> Option<ModifiedTermRecord> {
         self.error(self.series.leading_dispersion())
     }
 
+    /// Positive values of the parameter at which the leading error vanishes.
     pub fn special_values(&self) -> Vec<SpecialValueRecord> {
         let record = |(root, accuracy): &(RealRoot, Option<Accuracy>)| SpecialValueRecord {
             value: to_f64(&root.lower),
@@ -218,6 +225,7 @@ impl Order {
         (!texts.is_empty()).then(|| texts.join(", "))
     }
 
+    /// The terms of the modified equation.
     pub fn equation(&self) -> Option<Vec<ModifiedTermRecord>> {
         let record = |term: &ModifiedTerm| ModifiedTermRecord {
             derivative: match term.derivative.as_slice() {
