@@ -44,7 +44,7 @@ pub(super) fn warnings(
     }
     if penetration.at_end > 0 {
         warnings.push(format!(
-            "{} neighbours stand in the wrong order at the end: particles have passed through each other",
+            "particles have passed through each other: at the end neighbours stand in the wrong order {} times",
             penetration.at_end
         ));
     }
