@@ -2,7 +2,7 @@
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::finite;
-use courant_simulation::gravity::{Cloud, CloudRun, ExpansionWave, Snapshot};
+use courant_simulation::gravity::{Cloud, CloudRun, Energies, ExpansionWave, Snapshot};
 use courant_simulation::particles::Vector;
 
 /// Points of the curve of an exact solution.
@@ -94,7 +94,8 @@ pub fn core_panels(cloud: &Cloud, run: &CloudRun) -> Option<[Panel; 2]> {
 /// Kinetic, thermal, potential and total energy against time; `None` for an isothermal gas.
 pub fn energy_panel(run: &CloudRun) -> Option<Panel> {
     run.energies[0].thermal?;
-    let curves: [(&str, Color, fn(&courant_simulation::gravity::Energies) -> f64); 4] = [
+    type Curve = (&'static str, Color, fn(&Energies) -> f64);
+    let curves: [Curve; 4] = [
         ("kinetic", Color::BLUE, |e| e.kinetic),
         ("thermal", Color::VERMILION, |e| e.thermal.unwrap_or(f64::NAN)),
         ("potential", Color::GREEN, |e| e.potential),

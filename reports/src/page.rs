@@ -106,7 +106,9 @@ fn date(mut days: u64) -> String {
         ("December", 31),
     ];
     let mut year = 1970;
-    let leaps = |year: u64| u64::from(year % 4 == 0 && (year % 100 != 0 || year % 400 == 0));
+    let leaps = |year: u64| {
+        u64::from(year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400)))
+    };
     while days >= 365 + leaps(year) {
         days -= 365 + leaps(year);
         year += 1;

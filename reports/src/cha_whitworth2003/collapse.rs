@@ -174,7 +174,8 @@ fn figure(
     let (figure, data) = match kind {
         0 => {
             let panels = core_panels(scene, run).expect("it has a sink");
-            let figure = Figure::grid(2, 1).size(4.6, 5.4).panels(panels).legend_below();
+            let figure =
+                Figure::grid(2, 1).size(4.6, 5.6).title(title).panels(panels).legend_below();
             (figure, vec![(file("core"), core_csv(run))])
         }
         1 => {
@@ -190,7 +191,8 @@ fn figure(
                 density_panel(scene, snapshot)
                     .title(format!("t = {:.2} t collapse", since(snapshot)))
             });
-            let figure = Figure::grid(3, 2).size(6.6, 7.4).panels(panels).legend_below();
+            let figure =
+                Figure::grid(3, 2).size(6.6, 7.6).title(title).panels(panels).legend_below();
             let data = times.iter().enumerate();
             let data = data.map(|(k, s)| (file(&k.to_string()), cloud_csv(scene, s))).collect();
             (figure, data)
