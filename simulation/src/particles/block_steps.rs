@@ -17,7 +17,7 @@ pub const STEP_RATIO: u32 = 4;
 ///
 /// A block of length `Δ` begins with everybody at one time. Levels are set there, from the signal
 /// velocities of each particle and of those around it, and so that the steps of two which interact differ by a factor of
-/// [`STEP_RATIO`] at most; they hold for the block. A **pair** has the shorter step of its two particles: its force is evaluated
+/// `STEP_RATIO` at most; they hold for the block. A **pair** has the shorter step of its two particles: its force is evaluated
 /// when that step begins and its impulse goes to both, so that momentum is conserved to round-off
 /// whatever the levels. A particle takes the sum of its impulses at the end of its own step; until
 /// then it moves with its old velocity. With time-centred work the total energy is conserved to round-off
@@ -151,7 +151,7 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
         }
     }
 
-    /// Raises levels until the steps of two that interact differ by a factor of [`STEP_RATIO`] at most.
+    /// Raises levels until the steps of two that interact differ by a factor of `STEP_RATIO` at most.
     fn level_out<G: Gas<Thermal = T>>(&mut self, system: &ParticleSystem<D, G>) {
         let least = |own: u32, other: u32| own.max(other.saturating_sub(STEP_RATIO.ilog2()));
         while system.neighbours.spread(&mut self.level, least) {}

@@ -98,7 +98,7 @@ impl Block {
 /// **Who is a neighbour.** Everyone, image or not, with `r ≤ max(R, R_other)`: each of two active particles
 /// has the other in its list.
 ///
-/// **In which order.** That of [`Cells`]: space, not numbers. On a line it is from left to right; there the sums of those
+/// **In which order.** That of the cells: space, not numbers. On a line it is from left to right; there the sums of those
 /// before, from near to far, and of those after, from near to far, cancel exactly on an exactly representable lattice.
 #[derive(Debug, Clone)]
 pub struct Neighbours<const D: usize> {

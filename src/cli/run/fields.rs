@@ -59,7 +59,7 @@ impl Options {
         ];
         match given.into_iter().find(|(_, given)| *given) {
             Some((option, _)) => Err(Failure::Message(format!(
-                "{option}: scene {scene} has no such option; it belongs to the scenes in two and three dimensions"
+                "{option}: scene {scene} has no such option; it belongs to shear, gresho and sedov"
             ))),
             None => Ok(()),
         }
