@@ -21,8 +21,8 @@ fn coordinates(scene: &FieldScene, profile: &FieldProfile, i: usize) -> (f64, f6
 
 fn labels(scene: &FieldScene) -> [&'static str; 2] {
     match scene.flow {
-        FieldFlow::Shear { .. } => ["x", "v_y"],
-        FieldFlow::Gresho { .. } => ["r", "v_φ"],
+        FieldFlow::Shear { .. } => ["x", "v along y"],
+        FieldFlow::Gresho { .. } => ["r", "v around"],
         FieldFlow::Blast { .. } => ["r", "ρ"],
     }
 }
@@ -47,7 +47,13 @@ pub fn profile_panel(scene: &FieldScene, profile: &FieldProfile, time: f64) -> P
         Some((at, value))
     });
     let dots = Markers::new(points, Marker::Circle).color(Color::BLUE).size(1.6).label("particles");
-    Panel::new(Axis::linear(x_label).range(from, to), Axis::linear(y_label))
+    let upright = Axis::linear(y_label);
+    let upright = match scene.flow {
+        // One scale for all methods, so that they can be compared.
+        FieldFlow::Shear { speed, .. } => upright.range(-1.2 * speed.abs(), 1.2 * speed.abs()),
+        FieldFlow::Gresho { .. } | FieldFlow::Blast { .. } => upright,
+    };
+    Panel::new(Axis::linear(x_label).range(from, to), upright)
         .layer(dots)
         .layer(Line::new(curve.collect::<Vec<_>>()).color(Color::VERMILION).label("exact"))
 }

@@ -66,8 +66,7 @@ enum Command {
     /// The user's own program as a scheme: its stencil by impulses, its stability limit, verdicts; exit code 0 when the program is a scheme
     /// and all values of --set are stable, 1 when not.
     Probe(Box<probe::Arguments>),
-    /// Regenerate the tables and figures of a paper: index.html, index.md and all data. Not Cha & Whitworth's test in
-    /// two dimensions: Figure 28.
+    /// Regenerate the tables and figures of a paper: index.html, index.md and all data.
     Report(report::Arguments),
     /// Check a file of certificates; exit code 0 when all hold, 1 when one does not.
     Verify(verify::Arguments),

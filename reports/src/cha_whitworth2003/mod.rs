@@ -5,6 +5,7 @@ mod collapse;
 pub mod dispersion;
 pub mod particle_tests;
 pub mod published;
+mod shear;
 
 pub use crate::ferrari2008::{Detail, ReportError};
 
@@ -25,6 +26,7 @@ pub fn text() -> &'static PaperText {
 pub fn parts(detail: Detail) -> Vec<Part> {
     let mut parts = dispersion::parts(detail);
     parts.push(Part::new("particle tests", move || Ok(particle_tests::sections(detail))));
+    parts.push(Part::new("shear", move || Ok(shear::sections(detail))));
     parts.push(Part::new("collapse", move || Ok(collapse::sections(detail))));
     parts
 }
