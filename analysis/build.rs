@@ -24,7 +24,12 @@ fn main() -> io::Result<()> {
         let _ = writeln!(code, "pub(crate) static {constant}: &[(&str, &str)] = &[");
         for path in files {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let _ = writeln!(code, "    ({name:?}, include_str!({:?})),", path.display());
+            // By the place of the checkout at compile time: a folder that was moved with its build directory still compiles.
+            let inside = format!("/{folder}/{name}.toml");
+            let _ = writeln!(
+                code,
+                "    ({name:?}, include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {inside:?}))),"
+            );
         }
         code.push_str("];\n");
     }
