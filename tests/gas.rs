@@ -230,3 +230,62 @@ fn scenes_and_methods_are_listed_with_sources() {
         assert!(source(&figures, &name).ends_with(&format!("Figure {number}")), "{name}");
     }
 }
+
+#[test]
+fn flows_and_clouds_state_what_they_assume_and_judge_themselves() {
+    let out = tempfile::tempdir().expect("a directory");
+    let shear = [
+        "run",
+        "shear",
+        "--method",
+        "sph1",
+        "--particles",
+        "144",
+        "--time",
+        "0.2",
+        "--format",
+        "json",
+    ];
+    let shear = json(&shear, out.path());
+    assert_eq!((&shear["dimension"], &shear["eos"]), (&2.into(), &"isothermal, c = 1".into()));
+    assert_eq!(shear["warnings"], Value::Array(Vec::new()));
+    let lost = shear["measures"]["kinetic_energy_left"].as_f64().expect("a measure");
+    assert!(lost > 0.5 && lost < 1.0, "{lost}");
+    let collapse =
+        ["run", "sis-collapse", "--method", "sph1", "--particles", "200", "--time", "0.05"];
+    let collapse = json(&[&collapse[..], &["--format", "json"]].concat(), out.path());
+    assert_eq!(collapse["dimension"], 3);
+    // The sink gets the mass that the gas loses.
+    let mass = collapse["conservation"]["mass"].as_f64().expect("it is counted");
+    assert!(mass.abs() < 1e-12, "{mass:e}");
+    // 200 particles do not resolve a sink of 0.03 radii.
+    let warning = collapse["warnings"][0].as_str().expect("a warning");
+    assert!(warning.contains("smoothing length") && warning.contains("would need"), "{warning}");
+}
+
+#[test]
+fn options_of_flows_and_clouds_are_those_of_all_particles() {
+    let out = tempfile::tempdir().expect("a directory");
+    for (arguments, wanted) in [
+        (&["shear", "--method", "gph4", "--kernel", "cubic"][..], "--kernel cubic-spline: gph4"),
+        (&["shear", "--method", "gph3", "--alpha", "1"], "--alpha: gph3 has no such option"),
+        (
+            &["sis-collapse", "--method", "sph1", "--particles", "99"],
+            "--particles 99: sph1 needs at least 100",
+        ),
+        (&["evrard", "--method", "sph-adke"], "--method sph-adke: it does not run evrard"),
+        (&["gresho", "--method", "sph1", "--levels", "2"], "--integrator rk2-heun: --levels needs"),
+        (
+            &["sis-collapse", "--method", "gph3", "--lattice", "fcc"],
+            "--lattice: scene sis-collapse",
+        ),
+    ] {
+        let place = out.path().join("none");
+        let (code, stdout, stderr) = courant(&[&["run"], arguments].concat(), &place);
+        assert!(
+            code == 2 && stdout.is_empty() && stderr.contains(wanted),
+            "{arguments:?}: {stderr}"
+        );
+        assert!(!place.exists(), "{arguments:?} made a folder");
+    }
+}

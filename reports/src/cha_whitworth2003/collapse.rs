@@ -146,7 +146,7 @@ fn results(scene: &Cloud, runs: &[(usize, usize, CloudRun)]) -> Item {
             of("core_mass_error"),
             of("head_position_error"),
             of("head_scatter"),
-            significant(run.momentum, 2),
+            significant(run.conservation.momentum, 2),
             of("angular_momentum"),
             run.steps,
             run.counters.interactions,

@@ -9,7 +9,8 @@ use crate::particles::{
     Domain, Gas, MethodOptions, PairForce, ParticleEvolution, ParticleSystem, Particles, Smoothing,
     SmoothingKernel, StepSharing, Task, ThermalState, dispatch, table,
 };
-use crate::run::{Conservation, Counters, Failure, InvalidOptions};
+use crate::run::judgement::warnings;
+use crate::run::{Conservation, Counters, Failure, InvalidOptions, Penetration};
 use crate::scene::Material;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -83,6 +84,8 @@ pub struct FieldRun {
     pub failure: Option<Failure>,
     /// Conservation.
     pub conservation: Conservation,
+    /// What the user should know before believing the numbers.
+    pub warnings: Vec<String>,
     /// Work.
     pub counters: Counters,
     /// Errors at the time reached.
@@ -188,7 +191,8 @@ impl<const D: usize> Task for Plan<'_, D> {
         });
         let system = evolution.system();
         let profile = profile(system);
-        let end = Totals::of(system);
+        let conservation = start.conservation(&Totals::of(system));
+        let promise = options.work.promise();
         Ok(FieldRun {
             initial,
             errors: errors::<D>(scene, &profile, march.time),
@@ -197,7 +201,8 @@ impl<const D: usize> Task for Plan<'_, D> {
             rejected: march.rejected,
             time: march.time,
             failure: march.failure,
-            conservation: start.conservation(&end),
+            conservation,
+            warnings: warnings(&conservation, promise, march.steps, &Penetration::default()),
             counters: system.counters,
             measures: meter.measure(system, march.time),
             history,

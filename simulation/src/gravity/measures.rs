@@ -118,10 +118,7 @@ impl CloudRun {
         let mut add = |name, value: Option<f64>| {
             measures.extend(value.filter(|value| value.is_finite()).map(|value| (name, value)));
         };
-        let totals = self.energies.iter().filter_map(super::Energies::total);
-        let drift = |total: f64, first: f64| ((total - first) / first).abs();
-        let first = self.energies[0].total();
-        add("energy", first.and_then(|first| totals.map(|e| drift(e, first)).reduce(f64::max)));
+        add("energy", self.conservation.energy.map(f64::abs));
         let last = self.snapshots.last();
         match cloud.known {
             Some(Known::ExpansionWave) => {

@@ -12,7 +12,8 @@ use crate::particles::{
     Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
     plus_scaled, table,
 };
-use crate::run::{Counters, Failure, InvalidOptions};
+use crate::run::judgement::warnings;
+use crate::run::{Conservation, Counters, Failure, InvalidOptions, Penetration, Promise};
 use std::ops::ControlFlow;
 
 /// The gas at a time.
@@ -63,8 +64,10 @@ pub struct CloudRun {
     pub snapshots: Vec<Snapshot>,
     /// The head of the wave, if the run came to it.
     pub head: Option<Head>,
-    /// Total momentum at the end, over `√(G M³/R)`.
-    pub momentum: f64,
+    /// Drifts: of the mass of gas and sink, of the momentum over `√(G M³/R)`, of the energy where it is conserved.
+    pub conservation: Conservation,
+    /// What the user should know before believing the numbers.
+    pub warnings: Vec<String>,
     /// Total angular momentum at the end, over `√(G M³ R)`.
     pub angular_momentum: f64,
     /// Steps; with blocks, substeps.
@@ -205,6 +208,7 @@ impl Plan<'_> {
         let mut evolution = evolution.with_work(options.work).under(gravity);
         // For the fields at the start; what is wrong with them the march finds again.
         let _ = evolution.time_step();
+        let coarse = cloud.sink.and_then(|radius| coarse_sink(evolution.system(), radius));
         let mut core = Vec::new();
         let mut energies = vec![energies_of(&evolution, 0.0)];
         let has_energy = energies[0].thermal.is_some();
@@ -230,22 +234,39 @@ impl Plan<'_> {
         let system = evolution.system();
         let (mut momentum, mut turning) = (system.momentum(), [0.0; 3]);
         let state = &system.particles;
+        let mut mass: f64 = state.mass.iter().sum();
         for i in 0..state.len() {
             let orbit = cross(&state.position[i], &state.velocity[i]);
             turning = plus_scaled(&turning, state.mass[i], &orbit);
         }
         if let Some(sink) = evolution.body().sink.state() {
+            mass += sink.mass;
             momentum = plus_scaled(&momentum, sink.mass, &sink.velocity);
             turning = plus_scaled(&turning, sink.mass, &cross(&sink.position, &sink.velocity));
             turning = plus_scaled(&turning, 1.0, &sink.spin);
         }
         let unit = (cloud.constant * cloud.mass.powi(3)).sqrt();
+        let drifts = energies.iter().filter_map(Energies::total);
+        let first = energies[0].total();
+        let energy = first.and_then(|first| {
+            drifts.map(|total| (total - first) / first).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+        });
+        let conservation = Conservation {
+            mass: mass / cloud.mass - 1.0,
+            momentum: dot(&momentum, &momentum).sqrt() / unit * cloud.radius.sqrt(),
+            energy,
+            volume: None,
+        };
+        let mut warnings =
+            warnings(&conservation, Promise::Tree, march.steps, &Penetration::default());
+        warnings.extend(coarse);
         Ok(CloudRun {
+            conservation,
+            warnings,
             core,
             energies,
             snapshots: kept,
             head,
-            momentum: dot(&momentum, &momentum).sqrt() / unit * cloud.radius.sqrt(),
             angular_momentum: dot(&turning, &turning).sqrt() / unit / cloud.radius.sqrt(),
             steps: evolution.substeps().unwrap_or(march.steps as u64),
             rejected: march.rejected,
@@ -254,6 +275,30 @@ impl Plan<'_> {
             counters: system.counters,
             attractions: evolution.body().interactions,
         })
+    }
+}
+
+/// Smoothing lengths above this part of the radius are told: there the pair force of GPH case 3 is 9 % too large
+/// (`docs/collapse.md`).
+const COARSE: f64 = 0.2;
+
+/// A warning where the smoothing length beside the sink is not small against its radius.
+fn coarse_sink<G: Gas>(system: &ParticleSystem<3, G>, radius: f64) -> Option<String> {
+    let state = &system.particles;
+    let near = (state.position.iter().zip(&state.smoothing))
+        .map(|(x, h)| (dot(x, x).sqrt(), h))
+        .filter(|(r, _)| *r < 2.0 * radius);
+    let (sum, count) = near.fold((0.0, 0), |(sum, count), (r, h)| (sum + h / r, count + 1));
+    let ratio = sum / f64::from(count);
+    // h/r falls like the cube root of the number of particles.
+    let enough = state.len() as f64 * (ratio / COARSE).powi(3);
+    match count {
+        0 => Some("no particle is near the sink: the flow there is not resolved".into()),
+        _ if ratio > COARSE => Some(format!(
+            "beside the sink the smoothing length is {ratio:.2} of the radius, so pressure and infall there are \
+             not resolved; {COARSE} would need about {enough:.0e} particles"
+        )),
+        _ => None,
     }
 }
 

@@ -7,7 +7,7 @@ use super::rates::Rates;
 use super::system::ParticleSystem;
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
-use crate::run::Reason;
+use crate::run::{Promise, Reason};
 
 pub use courant_analysis::scheme::{Integrator, Nystrom};
 
@@ -39,6 +39,14 @@ impl Work {
         match self {
             Self::Instantaneous => "published",
             Self::TimeCentred => "centred",
+        }
+    }
+
+    /// How well a run with it conserves the total energy.
+    pub fn promise(self) -> Promise {
+        match self {
+            Self::TimeCentred => Promise::RoundOff,
+            Self::Instantaneous => Promise::Integrator,
         }
     }
 }

@@ -4,7 +4,7 @@ use super::dispatch::{Task, dispatch};
 use super::domain::Domain;
 use super::evolution::ParticleEvolution;
 use super::gas::Gas;
-use super::integrator::{Nystrom, Work, table};
+use super::integrator::{Nystrom, table};
 use super::method::{MethodOptions, StepSharing};
 use super::pair_force::PairForce;
 use super::smoothing_kernel::SmoothingKernel;
@@ -108,10 +108,7 @@ impl<G: Gas, F: PairForce> Flowing for ParticleEvolution<1, G, F> {
     }
 
     fn promise(&self) -> Promise {
-        match self.work() {
-            Work::TimeCentred => Promise::RoundOff,
-            Work::Instantaneous => Promise::Integrator,
-        }
+        self.work().promise()
     }
 
     fn out_of_order(&self) -> usize {

@@ -1,7 +1,7 @@
 //! What a run leaves behind, whatever the method.
 
 mod failure;
-mod judgement;
+pub(crate) mod judgement;
 mod options;
 mod profile;
 
@@ -161,7 +161,7 @@ impl Run {
             waiting,
             warnings: judgement::warnings(
                 &conservation,
-                &evolution.promise(),
+                evolution.promise(),
                 march.steps,
                 &penetration,
             ),

@@ -1,17 +1,18 @@
 //! Spheres of gas under their own gravity: Cha & Whitworth 2003, section 5.8, and what tests gravity.
 
-use super::{Arguments, Entry, Family, no_method};
+use super::particle_options::{self, eos, invalid};
+use super::{Arguments, Entry, Family};
 use crate::cli::output::{Format, print, print_record};
 use crate::cli::progress::Bar;
 use crate::cli::{Failure, Outcome};
-use courant::analysis::exact::rational::{to_f64, to_text};
+use courant::analysis::exact::rational::to_f64;
 use courant::reports::cloud_profile::{cloud_csv, cloud_figure, core_csv};
-use courant::reports::number::{exact_text, finite, significant};
+use courant::reports::number::{finite, significant};
 use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::gravity::{Cloud, CloudRun, cloud_options, run_cloud};
-use courant::simulation::particles::{MethodOptions, ParticleMethod, StepSharing};
+use courant::simulation::particles::{MethodOptions, StepSharing};
 use courant::simulation::run::InvalidOptions;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -29,58 +30,16 @@ fn scenes() -> Vec<Entry> {
 }
 
 fn options(arguments: &Arguments, cloud: &Cloud) -> Result<MethodOptions, Failure> {
-    let all = ParticleMethod::ALL.map(ParticleMethod::name);
-    let Some(name) = &arguments.method else {
-        let (scene, all) = (&arguments.scene, all.join(", "));
-        return Err(Failure::Message(format!("--method is required for {scene}; accepted: {all}")));
-    };
-    let method = (ParticleMethod::ALL.into_iter().find(|method| method.name() == name))
-        .ok_or_else(|| no_method(name, &arguments.scene, &all))?;
+    let method = particle_options::method(arguments)?;
     let mut options = cloud_options(cloud, MethodOptions::new(method));
-    if let Some(kernel) = arguments.kernel {
-        options.kernel = kernel;
-    }
-    if let Some(ratio) = &arguments.ratio {
-        options.eta = to_f64(ratio);
-    }
-    if let Some(courant) = &arguments.cfl {
-        options.courant = to_f64(courant);
-    }
-    let choices = &arguments.choices;
-    let has: &[&str] = match method.is_godunov() {
-        true => &["--riemann", "--integrator"],
-        false => &["--alpha", "--beta", "--integrator"],
-    };
-    choices.only(has, method.name())?;
     let customary = options.integrator;
-    options.integrator = choices.integrator(customary);
+    particle_options::choose(arguments, &mut options)?;
     if options.integrator != customary {
         // Blocks have one integrator.
         options.sharing = StepSharing::Global;
     }
-    options.solver = choices.solver(options.solver);
-    options.viscosity.alpha = choices.alpha(options.viscosity.alpha);
-    options.viscosity.beta = choices.beta(options.viscosity.beta);
-    options.check().map_err(invalid)?;
+    options.check().map_err(|error| invalid(&error, arguments, method.name()))?;
     Ok(options)
-}
-
-/// The option's name as it is on the command line.
-fn invalid(error: InvalidOptions) -> Failure {
-    Failure::Message(match error {
-        InvalidOptions::Kernel(kernel) => {
-            format!(
-                "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
-            )
-        }
-        InvalidOptions::Particles { particles: count, .. } => {
-            format!("--particles {count}: a sphere needs at least 100")
-        }
-        InvalidOptions::NotPositive { name, value } => {
-            format!("--{name} {value}: it must be above 0 and finite")
-        }
-        other => other.to_string(),
-    })
 }
 
 #[derive(Debug, Serialize)]
@@ -89,6 +48,8 @@ struct CloudRecord {
     run: RunRecord,
     /// What the scene is judged by.
     measures: BTreeMap<&'static str, f64>,
+    dimension: usize,
+    eos: String,
     kernel: &'static str,
     ratio: String,
     cfl: f64,
@@ -111,15 +72,7 @@ fn record(
     seconds: f64,
 ) -> CloudRecord {
     let measures = run.measures(cloud);
-    let energy = measures.get("energy").copied();
     let completed = run.failure.is_none();
-    let mut warnings = Vec::new();
-    if let Some(drift) = energy.filter(|drift| *drift > 0.05) {
-        let drift = significant(100.0 * drift, 2);
-        warnings.push(format!(
-            "the total energy has changed by {drift} %: a smaller --cfl keeps it better"
-        ));
-    }
     CloudRecord {
         run: RunRecord {
             scene: cloud.name.clone(),
@@ -130,19 +83,20 @@ fn record(
             time: run.time,
             completed,
             failure: run.failure.map(|failure| failure.to_string()),
-            warnings,
+            warnings: run.warnings.clone(),
             l1: ErrorNorms::default(),
             l1_note: Some(if completed { NO_NORMS } else { BROKEN }.into()),
             conservation: ConservationRecord {
-                // The masses are counted, with what the sink holds.
-                mass: Some(0.0),
-                momentum: finite(run.momentum),
-                energy,
+                mass: finite(run.conservation.mass),
+                momentum: finite(run.conservation.momentum),
+                energy: run.conservation.energy.and_then(finite),
             },
-            conservation_note: energy.is_none().then(|| NO_ENERGY.into()),
+            conservation_note: run.conservation.energy.is_none().then(|| NO_ENERGY.into()),
             wall_seconds: seconds,
         },
         measures,
+        dimension: 3,
+        eos: eos(cloud.material),
         kernel: options.kernel.name(),
         ratio,
         cfl: options.courant,
@@ -160,8 +114,8 @@ fn table(record: &CloudRecord) -> Table {
         Some(failure) => format!("broke down: {failure}"),
     };
     let caption = format!(
-        "{} with {}, {} particles, {} at {} spacings, step {} of the crossing time: {outcome}",
-        run.scene, run.method, run.particles, record.kernel, record.ratio, record.cfl
+        "{} with {}, three dimensions, {}, {} particles, {} at {} spacings, step {} of the crossing time: {outcome}",
+        run.scene, run.method, record.eos, run.particles, record.kernel, record.ratio, record.cfl
     );
     let mut table = Table::new(caption, &[("quantity", Align::Left), ("value", Align::Right)]);
     let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
@@ -187,16 +141,17 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let particles = arguments.particles.unwrap_or(cloud.particles);
     // Few particles are refused before the directory is made.
     if particles < 100 {
-        return Err(invalid(InvalidOptions::Particles { particles, least: 100 }));
+        let error = InvalidOptions::Particles { particles, least: 100 };
+        return Err(invalid(&error, arguments, options.method.name()));
     }
     let output = OutputDirectory::open(&arguments.out)?;
     let bar = Bar::new(&cloud.name);
     let start = Instant::now();
     let end = cloud.end_time;
     let run = run_cloud(&cloud, particles, &options, &[], &mut |time| bar.march(time, end))
-        .map_err(invalid)?;
+        .map_err(|error| invalid(&error, arguments, options.method.name()))?;
     bar.finish();
-    let ratio = arguments.ratio.as_ref().map_or_else(|| exact_text(options.eta), to_text);
+    let ratio = particle_options::ratio(arguments, options.eta);
     let seconds = start.elapsed().as_secs_f64();
     let record = record(&cloud, &options, ratio, particles, &run, seconds);
     let name = format!("{}_{}", cloud.name, options.method.name());

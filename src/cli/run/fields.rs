@@ -1,20 +1,20 @@
 //! Flows in two and three dimensions on particles.
 
-use super::{Arguments, Entry, Family, no_method};
-use crate::cli::output::{Format, print, print_record};
+use super::particle_options::{self, eos, invalid};
+use super::{Arguments, Entry, Family};
+use crate::cli::output::{Format, print, print_record, warnings};
 use crate::cli::progress::Bar;
 use crate::cli::{Failure, Outcome, names, numbers};
 use clap::{Args, ValueEnum};
-use courant::analysis::exact::rational::{to_f64, to_text};
-use courant::analysis::kernel::Kernel;
+use courant::analysis::exact::rational::to_f64;
 use courant::reports::field_profile::{field_figure, history_csv, profile_csv};
-use courant::reports::number::{exact_text, finite, significant};
+use courant::reports::number::{finite, significant};
 use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::field::{FieldRun, FieldScene, run_field};
 use courant::simulation::lattice::Lattice;
-use courant::simulation::particles::{ActsOn, MethodOptions, ParticleMethod, StepSharing};
+use courant::simulation::particles::{ActsOn, MethodOptions, StepSharing};
 use courant::simulation::run::InvalidOptions;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -89,16 +89,7 @@ struct Plan {
 
 impl Plan {
     fn new(arguments: &Arguments) -> Result<Self, Failure> {
-        let all = ParticleMethod::ALL.map(ParticleMethod::name);
-        let name = arguments.method.as_deref().ok_or_else(|| {
-            Failure::Message(format!(
-                "--method is required for {}; accepted: {}",
-                arguments.scene,
-                all.join(", ")
-            ))
-        })?;
-        let method = (ParticleMethod::ALL.into_iter().find(|method| method.name() == name))
-            .ok_or_else(|| no_method(name, &arguments.scene, &all))?;
+        let method = particle_options::method(arguments)?;
         let mut scene =
             FieldScene::named(&arguments.scene).expect("the family answers for its own scenes");
         if let Some(time) = &arguments.time {
@@ -115,28 +106,7 @@ impl Plan {
                 })?;
         }
         let mut options = scene.options(method);
-        if let Some(kernel) = arguments.kernel {
-            options.kernel = kernel;
-            if kernel == Kernel::Gaussian {
-                options.eta = MethodOptions::new(ParticleMethod::Gph4).eta;
-            }
-        }
-        if let Some(ratio) = &arguments.ratio {
-            options.eta = to_f64(ratio);
-        }
-        if let Some(courant) = &arguments.cfl {
-            options.courant = to_f64(courant);
-        }
-        let choices = &arguments.choices;
-        let has: &[&str] = match method.is_godunov() {
-            true => &["--riemann", "--integrator"],
-            false => &["--alpha", "--beta", "--integrator"],
-        };
-        choices.only(has, method.name())?;
-        options.integrator = choices.integrator(options.integrator);
-        options.solver = choices.solver(options.solver);
-        options.viscosity.alpha = choices.alpha(options.viscosity.alpha);
-        options.viscosity.beta = choices.beta(options.viscosity.beta);
+        particle_options::choose(arguments, &mut options)?;
         if arguments.fields.switch == Some(SwitchName::Balsara) {
             if method.is_godunov() {
                 return Err(Failure::Message(format!(
@@ -151,32 +121,13 @@ impl Plan {
         }
         let particles = arguments.particles.unwrap_or(scene.particles);
         if particles < 100 {
-            return Err(Failure::Message(format!(
-                "--particles {particles}: scenes in two and three dimensions need at least 100"
-            )));
+            let error = InvalidOptions::Particles { particles, least: 100 };
+            return Err(invalid(&error, arguments, method.name()));
         }
-        options.check().map_err(invalid)?;
-        let ratio = arguments.ratio.as_ref().map_or_else(|| exact_text(options.eta), to_text);
+        options.check().map_err(|error| invalid(&error, arguments, method.name()))?;
+        let ratio = particle_options::ratio(arguments, options.eta);
         Ok(Self { scene, particles, options, ratio })
     }
-}
-
-/// The option's name as it is on the command line.
-fn invalid(error: InvalidOptions) -> Failure {
-    Failure::Message(match error {
-        InvalidOptions::Kernel(kernel) => {
-            format!(
-                "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
-            )
-        }
-        InvalidOptions::BlockIntegrator(name) => {
-            format!("--integrator {name}: --levels needs centred-euler")
-        }
-        InvalidOptions::NotPositive { name, value } => {
-            format!("--{name} {value}: it must be above 0 and finite")
-        }
-        other => other.to_string(),
-    })
 }
 
 /// The record with what only these runs have.
@@ -186,6 +137,7 @@ struct FieldRecord {
     run: RunRecord,
     measures: BTreeMap<&'static str, Option<f64>>,
     dimension: usize,
+    eos: String,
     lattice: &'static str,
     kernel: &'static str,
     ratio: String,
@@ -223,7 +175,7 @@ fn record(plan: &Plan, run: &FieldRun, seconds: f64) -> FieldRecord {
             time: run.time,
             completed: run.completed(),
             failure: run.failure.map(|failure| failure.to_string()),
-            warnings: Vec::new(),
+            warnings: run.warnings.clone(),
             l1: norms,
             l1_note: Some(match (run.completed(), isothermal) {
                 (false, _) => BROKEN.into(),
@@ -240,6 +192,7 @@ fn record(plan: &Plan, run: &FieldRun, seconds: f64) -> FieldRecord {
         },
         measures: run.measures.iter().map(|(name, value)| (*name, finite(*value))).collect(),
         dimension: plan.scene.dimension,
+        eos: eos(plan.scene.gas),
         lattice: plan.scene.lattice.name(),
         kernel: plan.options.kernel.name(),
         ratio: plan.ratio.clone(),
@@ -259,8 +212,15 @@ fn table(record: &FieldRecord) -> Table {
         Some(failure) => format!("broke down: {failure}"),
     };
     let caption = format!(
-        "{} with {}, {} particles on a {} lattice, {} at {} spacings: {outcome}",
-        run.scene, run.method, run.particles, record.lattice, record.kernel, record.ratio
+        "{} with {}, {} dimensions, {}, {} particles on a {} lattice, {} at {} spacings: {outcome}",
+        run.scene,
+        run.method,
+        if record.dimension == 2 { "two" } else { "three" },
+        record.eos,
+        run.particles,
+        record.lattice,
+        record.kernel,
+        record.ratio
     );
     let mut table = Table::new(caption, &[("quantity", Align::Left), ("value", Align::Right)]);
     let number = |value: Option<f64>, digits| {
@@ -288,8 +248,8 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let bar = Bar::new(&plan.scene.name);
     let mut observe = |time| bar.march(time, plan.scene.end_time);
-    let run =
-        run_field(&plan.scene, plan.particles, &plan.options, &mut observe).map_err(invalid)?;
+    let run = run_field(&plan.scene, plan.particles, &plan.options, &mut observe)
+        .map_err(|error| invalid(&error, arguments, plan.options.method.name()))?;
     bar.finish();
     let record = record(&plan, &run, start.elapsed().as_secs_f64());
     let name = format!("{}_{}", plan.scene.name, plan.options.method.name());
@@ -316,6 +276,7 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let outcome = if run.completed() { Outcome::Yes } else { Outcome::No };
     print_record("run", &record, &table(&record), arguments.format)?;
     if arguments.format == Format::Table {
+        print(&warnings(&record.run.warnings))?;
         let path = output.path().join(&name);
         print(&format!(
             "\nparticles, measures and figure: {}.csv, _measures.csv, .png, .svg\n",

@@ -1,11 +1,11 @@
 //! Scenes and methods of one-dimensional gas dynamics.
 
+use super::particle_options::{self, invalid};
 use super::{Arguments, Entry, Family, no_method};
 use crate::cli::output::{Format, print, print_record, warnings};
 use crate::cli::progress::Bar;
 use crate::cli::{Failure, Outcome, names};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
-use courant::analysis::kernel::Kernel;
 use courant::reports::gas_run;
 use courant::reports::number::{exact_text, significant};
 use courant::reports::particle_profile::{profile_csv, profile_figure};
@@ -16,8 +16,8 @@ use courant::simulation::comparison::Comparison;
 use courant::simulation::lagrangian::LagrangianOptions;
 use courant::simulation::lagrangian::flux::Flux;
 use courant::simulation::method::Method;
-use courant::simulation::particles::{MethodOptions, ParticleMethod};
-use courant::simulation::run::{InvalidOptions, Run};
+use courant::simulation::particles::ParticleMethod;
+use courant::simulation::run::Run;
 use courant::simulation::scene::{KEYS, Scene};
 use serde::Serialize;
 use std::path::Path;
@@ -86,13 +86,13 @@ fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let scene = scene(arguments)?;
     let method = method(arguments, scene.method.as_deref())?;
     let particles = arguments.particles.unwrap_or(scene.particles);
-    method.check(&scene, particles).map_err(|error| invalid(&error, arguments, &method))?;
+    method.check(&scene, particles).map_err(|error| invalid(&error, arguments, method.name()))?;
     let output = OutputDirectory::open(&arguments.out)?;
     let bar = Bar::new(&scene.name);
     let start = Instant::now();
     let run = method
         .run_with(&scene, particles, |time| bar.march(time, scene.end_time))
-        .map_err(|error| invalid(&error, arguments, &method))?;
+        .map_err(|error| invalid(&error, arguments, method.name()))?;
     let seconds = start.elapsed().as_secs_f64();
     bar.finish();
     let record = GasRecord::new(
@@ -192,27 +192,6 @@ impl GasRecord {
     }
 }
 
-/// An error of the simulation by the option that brought it.
-fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &Method) -> Failure {
-    let ratio = || arguments.ratio.as_ref().map_or_else(String::new, to_text);
-    Failure::Message(match error {
-        InvalidOptions::Lattice(error) => format!("--ratio {}: {error}", ratio()),
-        InvalidOptions::Kernel(kernel) => format!(
-            "--kernel {kernel}: gph4 has a closed form for the gaussian only; accepted: gaussian"
-        ),
-        InvalidOptions::Particles { particles, least } => {
-            format!("--particles {particles}: {} needs at least {least}", method.name())
-        }
-        InvalidOptions::NotPositive { name, value } => {
-            format!("--{name} {value}: it must be above 0")
-        }
-        InvalidOptions::TooMuch { .. } => {
-            format!("SCENE {}, --method {}: {error}", arguments.scene, method.name())
-        }
-        other => format!("--method {}: {other}", method.name()),
-    })
-}
-
 /// A scene name as part of a file name.
 fn file_stem(name: &str) -> String {
     let plain = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
@@ -238,10 +217,7 @@ fn method(arguments: &Arguments, customary: Option<&str>) -> Result<Method, Fail
         Method::named(name).ok_or_else(|| no_method(name, &arguments.scene, &Method::NAMES))?;
     let choices = &arguments.choices;
     let has: &[&str] = match &method {
-        Method::Particles(options) if options.method.is_godunov() => {
-            &["--riemann", "--integrator", "--work"]
-        }
-        Method::Particles(_) => &["--alpha", "--beta", "--integrator", "--work"],
+        Method::Particles(options) => particle_options::accepted(options.method),
         Method::Lagrangian(LagrangianOptions { flux: Flux::ModifiedRoe(_), .. }) => {
             &["--roe-mean", "--contact", "--contact-form"]
         }
@@ -267,22 +243,7 @@ fn method(arguments: &Arguments, customary: Option<&str>) -> Result<Method, Fail
                 *roe = choices.roe(*roe);
             }
         }
-        Method::Particles(options) => {
-            options.courant = cfl.unwrap_or(options.courant);
-            if let Some(kernel) = arguments.kernel {
-                options.kernel = kernel;
-                if kernel == Kernel::Gaussian && options.estimation.is_none() {
-                    // The ratio that keeps lattice points off the cut, as for the method that brings it.
-                    options.eta = MethodOptions::new(ParticleMethod::Gph4).eta;
-                }
-            }
-            options.eta = arguments.ratio.as_ref().map_or(options.eta, to_f64);
-            options.integrator = choices.integrator(options.integrator);
-            options.work = choices.work(options.work);
-            options.solver = choices.solver(options.solver);
-            options.viscosity.alpha = choices.alpha(options.viscosity.alpha);
-            options.viscosity.beta = choices.beta(options.viscosity.beta);
-        }
+        Method::Particles(options) => particle_options::choose(arguments, options)?,
     }
     Ok(method)
 }

@@ -5,6 +5,7 @@ mod choices;
 mod clouds;
 mod fields;
 mod gas;
+mod particle_options;
 
 use super::output::Format;
 use super::{Failure, Outcome, names, numbers};
