@@ -8,7 +8,7 @@ pub fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value + 0.0)
 }
 
-/// Appends a number as `Display` writes it, the shortest decimal that is this number, in a fraction of the time.
+/// Appends the shortest decimal that is this number, as `Display` does (of two that are equally near perhaps the other), in a fraction of the time.
 pub(crate) fn push_shortest(text: &mut String, value: f64) {
     use std::fmt::Write;
     let mut buffer = zmij::Buffer::new();
@@ -108,17 +108,38 @@ fn minus(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use courant_analysis::exact::rational::{from_f64, parse};
+    use num_traits::Signed;
     use proptest::prelude::*;
+
+    /// As `Display` writes it; or as short, as near to the number, and read as the same one: 1183081514314095.25 lies
+    /// between two such decimals.
+    fn is_shortest(value: f64) -> Result<(), TestCaseError> {
+        let (mut text, display) = (String::from("x"), value.to_string());
+        push_shortest(&mut text, value);
+        let text = text.strip_prefix('x').expect("it appends");
+        if text != display {
+            let exact = from_f64(value).expect("only finite numbers have two decimals");
+            let off = |text: &str| (parse(text).expect("a decimal") - &exact).abs();
+            prop_assert_eq!((text.len(), off(text)), (display.len(), off(&display)));
+            prop_assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()));
+        }
+        Ok(())
+    }
 
     proptest! {
         #[test]
         fn the_shortest_decimal_is_that_of_display(bits in any::<u64>(), near in -1e4f64..1e4) {
             for value in [f64::from_bits(bits), near, near.round(), 1.0 / near, 0.0, -0.0, 1e21] {
-                let mut text = String::from("x");
-                push_shortest(&mut text, value);
-                prop_assert_eq!(text, format!("x{value}"));
+                is_shortest(value)?;
             }
         }
+    }
+
+    #[test]
+    fn of_two_shortest_decimals_either_will_do() {
+        is_shortest(1183081514314095.25).expect("a tie");
+        is_shortest(f64::MAX).and(is_shortest(f64::NAN)).expect("no tie");
     }
 
     #[test]
