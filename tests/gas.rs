@@ -273,6 +273,8 @@ fn options_of_flows_and_clouds_are_those_of_all_particles() {
             &["sis-collapse", "--method", "sph1", "--particles", "99"],
             "--particles 99: sph1 needs at least 100",
         ),
+        (&["shear", "--method", "gph3", "--time", "1e9"], "steps of the size of the first"),
+        (&["evrard", "--method", "sph1", "--time", "1e9"], "would be needed, at most 1000000"),
         (&["evrard", "--method", "sph-adke"], "--method sph-adke: it does not run evrard"),
         (&["gresho", "--method", "sph1", "--levels", "2"], "--integrator rk2-heun: --levels needs"),
         (

@@ -1,6 +1,6 @@
 //! The time loop of every run.
 
-use crate::run::{Failure, Reason};
+use crate::run::{Failure, InvalidOptions, Reason};
 use std::ops::ControlFlow;
 
 /// A state that advances in time.
@@ -29,6 +29,31 @@ pub trait Evolution {
 pub struct Limits {
     /// After so many steps, rejected ones included.
     pub steps: usize,
+}
+
+/// Nobody waits for more steps than this.
+const MOST_STEPS: usize = 1_000_000;
+
+impl Limits {
+    /// Refuses a run that would need more steps of the size of the first than anybody waits for.
+    ///
+    /// # Errors
+    /// [`InvalidOptions::TooMuch`] with the number needed. A first step that is no step is told by the [`march`], as a failure.
+    pub fn check<E: Evolution + ?Sized>(
+        self,
+        evolution: &mut E,
+        end_time: f64,
+    ) -> Result<(), InvalidOptions> {
+        let needed = evolution.time_step().map_or(0.0, |step| end_time / step);
+        let most = self.steps.max(MOST_STEPS);
+        match needed.is_finite() && needed > most as f64 {
+            true => {
+                let what = "steps of the size of the first";
+                Err(InvalidOptions::TooMuch { what, needed, most })
+            }
+            false => Ok(()),
+        }
+    }
 }
 
 /// How far a march came.

@@ -47,9 +47,6 @@ pub(crate) struct Start {
 /// More particles than this are not run: they would fill the memory of a usual machine.
 const MOST_PARTICLES: usize = 10_000_000;
 
-/// A run that will need more steps than this, or than it is allowed, does not start.
-const MOST_STEPS: usize = 1_000_000;
-
 impl Method {
     /// Every method: those of Ferrari et al. 2008, section 3, in the order of its figures, then those of Cha & Whitworth 2003.
     pub const NAMES: [&'static str; 11] = [
@@ -216,15 +213,7 @@ impl Method {
                 Flux::ModifiedRoe(roe) => lagrangian(scene, particles, options, roe)?,
             },
         };
-        // A first step that is no step is told by the march, as a failure.
-        if let Ok(step) = start.evolution.time_step() {
-            let needed = scene.end_time / step;
-            let most = start.max_steps.max(MOST_STEPS);
-            if needed.is_finite() && needed > most as f64 {
-                let what = "steps of the size of the first";
-                return Err(InvalidOptions::TooMuch { what, needed, most });
-            }
-        }
+        Limits { steps: start.max_steps }.check(&mut *start.evolution, scene.end_time)?;
         Ok(start)
     }
 

@@ -181,6 +181,7 @@ impl<const D: usize> Task for Plan<'_, D> {
         };
         let mut evolution = evolution.with_work(options.work);
         let limits = Limits { steps: options.max_steps };
+        limits.check(&mut evolution, scene.end_time)?;
         let march = march(&mut evolution, scene.end_time, limits, |state, time| {
             let due = history.len() as f64 * scene.end_time / f64::from(SAMPLES);
             if time >= due * (1.0 - 1e-9) {

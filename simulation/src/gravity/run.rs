@@ -6,7 +6,7 @@ use super::self_gravity::SelfGravity;
 use super::sink::{MaybeSink, Sink, cross};
 use super::sphere::{ball, relax};
 use crate::boundary::Boundary;
-use crate::march::{Evolution, Limits, march};
+use crate::march::{Limits, march};
 use crate::particles::{
     Confined, Domain, Gas, Integrator, MethodOptions, PairForce, ParticleEvolution, ParticleSystem,
     Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
@@ -206,8 +206,9 @@ impl Plan<'_> {
             }
         };
         let mut evolution = evolution.with_work(options.work).under(gravity);
-        // For the fields at the start; what is wrong with them the march finds again.
-        let _ = evolution.time_step();
+        let limits = Limits { steps: options.max_steps };
+        // This also finds the fields at the start.
+        limits.check(&mut evolution, cloud.end_time)?;
         let coarse = cloud.sink.and_then(|radius| coarse_sink(evolution.system(), radius));
         let mut core = Vec::new();
         let mut energies = vec![energies_of(&evolution, 0.0)];
@@ -215,7 +216,6 @@ impl Plan<'_> {
         let (mut kept, mut head) = (Vec::new(), None);
         let end = cloud.end_time;
         core.extend(evolution.body().sink.state().map(|sink| [0.0, sink.mass]));
-        let limits = Limits { steps: options.max_steps };
         let march = march(&mut evolution, end, limits, |state, time| {
             core.extend(state.body().sink.state().map(|sink| [time, sink.mass]));
             if head.is_none() && cloud.head_time().is_some_and(|wanted| time >= wanted) {
