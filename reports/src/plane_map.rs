@@ -106,7 +106,10 @@ impl PlaneMap {
         )
         .layers(growing_side(axes, &self.largest, depth.mapv(|depth| -depth))?)
         .layers(damped_side(axes, &self.lowest, depth)?)
-        .layer(limit.label("stability limit"));
+        .layer(limit.label(match self.stable.iter().all(|set| set.undecided.is_empty()) {
+            true => "stability limit",
+            false => "end of what is proved stable; not all beyond is decided",
+        }));
         let figure = Figure::single(panel).title(title).size(5.2, 4.3).legend_below();
         Ok(figure.color_bar(damping_bar()?).color_bar(growth_bar()?))
     }

@@ -8,7 +8,7 @@ use crate::npy;
 use crate::number::{finite, push_shortest};
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
-use courant_analysis::stability::Evidence;
+use courant_analysis::stability::{Evidence, Limit};
 use courant_analysis::waves::sweep::{GainMap, Progress, SweepError, with_progress};
 use courant_simulation::advection::{AdvectionScheme, Discretisation};
 use ndarray::Array2;
@@ -47,7 +47,7 @@ pub struct StabilityMap {
     pub plan: MapPlan,
     /// The extreme gains.
     pub gains: GainMap,
-    /// How the limits are known: proved, or enclosed where the kernel's weights are.
+    /// How all limits are known: the weakest evidence among them.
     pub evidence: Evidence,
     /// The stability limit over the ratio.
     pub stability: Vec<CurvePoint>,
@@ -72,7 +72,8 @@ pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityM
         limits.push(of.monotone_set().limit());
         let curves: Vec<CurvePoint> =
             limits.iter().map(|limit| (to_f64(l), limit.value())).collect();
-        Ok((of.gain_extremes(&courant_numbers), (limits[0].evidence(), curves)))
+        let evidence = limits.iter().map(Limit::evidence).fold(Evidence::Proved, Evidence::weaker);
+        Ok((of.gain_extremes(&courant_numbers), (evidence, curves)))
     })?;
     let (gains, limits): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
     let gains = GainMap::from_rows(&gains, courant_numbers.len());
@@ -84,8 +85,10 @@ pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityM
     Ok(StabilityMap {
         plan,
         gains,
-        // Of one kernel all are known in the same way.
-        evidence: limits.first().map_or(Evidence::Proved, |(evidence, _)| *evidence),
+        evidence: limits
+            .iter()
+            .map(|(evidence, _)| *evidence)
+            .fold(Evidence::Proved, Evidence::weaker),
         stability: curve(0),
         growth: curve(1),
         monotonicity: if has_monotonicity { monotonicity } else { Vec::new() },

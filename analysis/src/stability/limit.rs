@@ -33,6 +33,25 @@ pub enum Evidence {
 }
 
 impl Evidence {
+    /// The weaker of two: what stands behind several limits together.
+    ///
+    /// ```
+    /// use courant_analysis::stability::Evidence;
+    /// assert_eq!(Evidence::Enclosed.weaker(Evidence::Proved), Evidence::Enclosed);
+    /// assert_eq!(Evidence::Proved.weaker(Evidence::Undecided), Evidence::Undecided);
+    /// ```
+    #[must_use]
+    pub fn weaker(self, other: Self) -> Self {
+        let weakness = |evidence: Self| match evidence {
+            Self::Proved => 0,
+            Self::Enclosed => 1,
+            Self::Measured => 2,
+            Self::Sampled { .. } => 3,
+            Self::Undecided => 4,
+        };
+        if weakness(other) > weakness(self) { other } else { self }
+    }
+
     /// The word used in files.
     pub fn name(self) -> &'static str {
         match self {
