@@ -188,6 +188,27 @@ mod tests {
         assert_eq!(AlgebraicNumber::between(polynomial(&[0, 1]), integer(-1), integer(1)), None);
     }
 
+    #[test]
+    fn halving_ends_as_soon_as_the_enclosure_is_narrow() {
+        // √3 in [1, 2]: half of 2 is not more than 2^−1 of it.
+        let root = AlgebraicNumber::between(polynomial(&[-3, 0, 1]), integer(1), integer(2));
+        let root = root.unwrap();
+        assert_eq!(root.halved(1), (integer(1), integer(2)));
+        assert_eq!(root.halved(2), (ratio(3, 2), integer(2)));
+    }
+
+    #[test]
+    fn radicands_have_up_to_64_bits() {
+        // The greatest prime below 2^64 and the least one above.
+        for (offset, known) in [(-59i64, true), (13, false)] {
+            let radicand: BigInt = (BigInt::from(1) << 64u32) + offset;
+            let bound = Rational::from(radicand.clone());
+            let square = Polynomial::new(vec![-radicand, BigInt::zero(), BigInt::from(1)]);
+            let root = AlgebraicNumber::between(square, integer(1), bound.clone()).unwrap();
+            assert_eq!(root.radical(), known.then_some((bound, 2)));
+        }
+    }
+
     proptest! {
         #[test]
         fn fractions_are_recognised(numerator in 1i64..500, denominator in 1i64..500) {

@@ -197,8 +197,8 @@ fn reconstruct(residue: &BigInt, modulus: &BigInt) -> Option<Rational> {
         (remainder, next) = (next.clone(), remainder - &quotient * &next);
         (cofactor, next_cofactor) = (next_cofactor.clone(), cofactor - quotient * next_cofactor);
     }
-    let usable = !next_cofactor.is_zero() && next_cofactor.abs() <= bound;
-    usable.then(|| Rational::new(next, next_cofactor))
+    // Cofactors after the first grow in size: none is zero.
+    (next_cofactor.abs() <= bound).then(|| Rational::new(next, next_cofactor))
 }
 
 #[cfg(test)]
@@ -242,6 +242,85 @@ mod tests {
             prop_assert!(p.divide(&root.pow(2)).1.is_zero());
             prop_assert!(q.divide(&root.pow(2)).1.is_zero());
             prop_assert!(root.divide(&planted).1.is_zero(), "{:?} misses {:?}", root, planted);
+        }
+    }
+
+    /// The primes in the order in which they are tried.
+    fn prime(place: usize) -> BigInt {
+        PrimeField::descending().nth(place).unwrap().prime().into()
+    }
+
+    fn product(factors: &[[BigInt; 2]]) -> Polynomial<Rational> {
+        let line = |[a, b]: &[BigInt; 2]| {
+            Polynomial::new([a, b].map(|value| Rational::from(value.clone())).to_vec())
+        };
+        factors.iter().map(line).fold(Polynomial::one(), |all, factor| all * factor)
+    }
+
+    #[test]
+    fn primes_at_which_more_or_less_seems_common_mislead_nobody() {
+        let line = |a: BigInt| [a, BigInt::from(1)];
+        let common = |left: &[[BigInt; 2]], right: &[[BigInt; 2]]| {
+            greatest_common_divisor(&product(left), &product(right)).unwrap()
+        };
+        // x (x + 1) and x (x + 1 + p): modulo p the same.
+        for place in 0..3 {
+            let other = line(prime(place) + 1);
+            let found = common(&[line(0.into()), line(1.into())], &[line(0.into()), other]);
+            assert_eq!(found, product(&[line(0.into())]));
+        }
+        // The same with a common root that takes several primes, of which the first or a later one is unlucky.
+        let long = || line(BigInt::from(3).pow(100));
+        for place in 0..4 {
+            let other = line(prime(place) + 1);
+            assert_eq!(common(&[long(), line(1.into())], &[long(), other]), product(&[long()]));
+        }
+        // p x + 1 has no root modulo p.
+        for place in 0..2 {
+            let steep = || [BigInt::from(1), prime(place)];
+            let found = common(&[steep(), line(1.into())], &[steep(), line(2.into())]);
+            assert_eq!(found, monic(&product(&[steep()])));
+        }
+    }
+
+    #[test]
+    fn primes_that_divide_a_leading_coefficient_prove_nothing() {
+        let integers = |p: Polynomial<Rational>| p.map(|value| value.numer().clone());
+        let square_free = |factors: &[[BigInt; 2]]| is_square_free(&integers(product(factors)));
+        let line = |a: i64| [BigInt::from(a), BigInt::from(1)];
+        let steep = |value: BigInt| [BigInt::from(1), value];
+        assert!(square_free(&[line(1), line(2)]) && !square_free(&[line(1), line(1)]));
+        // Another prime tells.
+        assert!(square_free(&[steep(prime(0)), line(1)]));
+        // No prime that is tried sees the double root.
+        let hidden = || steep(prime(0) * prime(1));
+        assert!(!square_free(&[hidden(), hidden(), line(1)]));
+        // Cosine series: 1 + p cos φ and twice that have a common root, which is not seen either.
+        let series = |values: &[BigInt]| CosineSeries::new(values.to_vec());
+        let first = series(&[1.into(), prime(0)]);
+        let second = series(&[2.into(), prime(0) * 2]);
+        let plain = series(&[1.into(), 1.into()]);
+        assert!(!have_no_common_factor(&[first.clone(), second]));
+        assert!(have_no_common_factor(&[plain.clone(), first]));
+        // Nothing, and zero.
+        assert!(!have_no_common_factor(&[]) && !have_no_common_factor(&[series(&[]), series(&[])]));
+        assert!(have_no_common_factor(&[plain.clone(), series(&[1.into()])]));
+        assert!(!have_no_common_factor(&[plain, series(&[])]));
+    }
+
+    #[test]
+    fn residues_are_those_of_the_only_short_fraction() {
+        for modulus in [5i64, 7, 11, 13, 31, 37, 53, 97, 101] {
+            let bound = (0..modulus).take_while(|one| one * one <= modulus / 2).last().unwrap();
+            for residue in 0..modulus {
+                let is_one = |(above, below): &(i64, i64)| {
+                    (above - residue * below).rem_euclid(modulus) == 0
+                };
+                let all = (-bound..=bound).flat_map(|a| (1..=bound).map(move |b| (a, b)));
+                let expected = all.filter(is_one).map(|(a, b)| Rational::new(a.into(), b.into()));
+                let found = reconstruct(&residue.into(), &modulus.into());
+                assert_eq!(found, expected.min(), "{residue} modulo {modulus}");
+            }
         }
     }
 }

@@ -50,7 +50,8 @@ impl Factors {
         if rest.terms().first().is_some_and(|(_, value)| value.is_negative()) {
             (rest, content) = (-rest, -content);
         }
-        if !rest.as_constant().is_some_and(|value| value.is_one()) {
+        // Primitive, and positive: a constant is 1.
+        if rest.as_constant().is_none() {
             factors.push((rest, 1));
         }
         Self { content, factors }
@@ -81,9 +82,6 @@ impl Factors {
 /// The rational roots but zero.
 fn rational_roots(polynomial: &Laurent, variable: Variable) -> Vec<Rational> {
     let Some(polynomial) = polynomial.in_one_variable(variable) else { return Vec::new() };
-    if polynomial.degree() == Some(0) {
-        return Vec::new();
-    }
     let bound = root_bound(&polynomial);
     let roots = real_roots(&polynomial, &-bound.clone(), &bound, 64);
     let mut found: Vec<Rational> = roots.iter().filter_map(|root| root.exact().cloned()).collect();
@@ -153,5 +151,15 @@ mod tests {
         let write = |p: &Laurent| p.to_text(&name);
         assert_eq!(whole(-3).over(&whole(4)).unwrap().to_latex(&write), "-\\frac{3}{4}");
         assert_eq!((whole(0) * c()).to_text(&name), "0");
+        // Nothing but a number above; a sign below; a root below zero, twice.
+        let over = |below: RationalFunction| whole(1).over(&below).unwrap().to_text(&name);
+        assert_eq!(over(whole(1) + c()), "1/(1 + C)");
+        assert_eq!(over(c() - whole(1)), "-1/(1 - C)");
+        assert_eq!(over(c() * (whole(2) + whole(3) * c())), "1/(C (2 + 3 C))");
+        let cubed = |p: RationalFunction| (p.pow(3) * c()).to_text(&name);
+        assert_eq!(cubed(c() + whole(3)), "C (3 + C)^3");
+        assert_eq!(((c() + whole(3)).pow(2) * c()).to_text(&name), "C (3 + C)^2");
+        assert_eq!(((c() + whole(3)) * (whole(1) + c() * c())).to_text(&name), "(3 + C) (1 + C^2)");
+        assert_eq!((whole(2) * c()).to_text(&name), "2 C");
     }
 }

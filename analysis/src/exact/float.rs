@@ -306,6 +306,24 @@ mod tests {
         error <= found.magnitude().unwrap_or(i64::MIN) - i64::from(BITS) + 4
     }
 
+    #[test]
+    fn what_no_f64_holds_is_infinite_or_zero() {
+        let power = |sign: i64, exponent: i64| {
+            Float::fraction(&ratio(sign, 1), BITS).scaled(exponent).to_f64()
+        };
+        for sign in [1i64, -1] {
+            let unit = sign as f64;
+            for exponent in [1024, 1099, 1100, 1101, 1 << 40] {
+                assert_eq!(power(sign, exponent), unit * f64::INFINITY);
+            }
+            assert_eq!(power(sign, 1023), unit * 2f64.powi(1023));
+            assert_eq!(power(sign, -1074), unit * f64::from_bits(1));
+            for exponent in [-1076, -1199, -1202, -(1 << 40)] {
+                assert_eq!(power(sign, exponent), 0.0);
+            }
+        }
+    }
+
     proptest! {
         #[test]
         fn operations_are_those_of_fractions(

@@ -85,3 +85,91 @@ fn drifts(step: &Step, growth: &Rational) -> Result<bool, SchemeError> {
     let is_asked = step.dimension() == 1 && !growth.is_positive();
     Ok(is_asked && multiplicity_at(step)?.growing.is_some())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::{integer, ratio};
+    use std::f64::consts::FRAC_PI_2;
+
+    fn judged(text: &str, value: Rational, growth: Rational) -> Judgement {
+        judge(&Step::from_text(text).unwrap().with("C", &value).unwrap(), &growth).unwrap()
+    }
+
+    /// One multiplier, `C` for every wave.
+    const FACTOR: &str = "u[n+1,j] = C*u[n,j]";
+
+    #[test]
+    fn the_largest_multiplier_is_that_of_the_formula() {
+        let zero = || integer(0);
+        let found = |text: &str, value| {
+            let Judgement { verdict, largest, wave } = judged(text, value, zero());
+            (verdict, largest, wave.phases().to_vec())
+        };
+        // |g|² = 1 − 4C (1 − C) s: the constant wave, or the shortest, which is π and not −π.
+        let upwind = "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])";
+        assert_eq!(found(upwind, ratio(1, 2)), (Verdict::Stable, 1.0, vec![0.0]));
+        assert_eq!(found(upwind, ratio(3, 2)), (Verdict::Unstable, 2.0, vec![PI]));
+        // All waves alike: the first one, the constant.
+        assert_eq!(found(FACTOR, integer(2)), (Verdict::Unstable, 2.0, vec![0.0]));
+        // |g|² = 1 + C² (sin φ_x − sin φ_y)²: phases of opposite signs, none beyond ±π.
+        let centred =
+            "u[n+1,i,j] = u[n,i,j] - C/2*(u[n,i+1,j] - u[n,i-1,j]) + C/2*(u[n,i,j+1] - u[n,i,j-1])";
+        let (verdict, largest, wave) = found(centred, ratio(1, 2));
+        assert_eq!(verdict, Verdict::Unstable);
+        assert!((largest - 2f64.sqrt()).abs() < 1e-14);
+        assert!(wave[0] == -wave[1] && (wave[0].abs() - FRAC_PI_2).abs() < 1e-14, "{wave:?}");
+    }
+
+    #[test]
+    fn a_wave_between_the_nodes_of_the_grid_is_the_one_that_was_proved_to_grow() {
+        // g = 1 + C − 3 (s − 1/4)²: the band |s − 1/4| < 3.2e-3 holds no multiple of 2π/256.
+        let text = "u[n+1,j] = (1 + C)*u[n,j] \
+                    - 3/16*(3*u[n,j] - 2*u[n,j+1] - 2*u[n,j-1] + u[n,j+2] + u[n,j-2])";
+        let found = judged(text, ratio(3, 100_000), integer(0));
+        assert_eq!(found.verdict, Verdict::WeaklyUnstable);
+        assert!(found.largest > 1.0 && found.largest <= 1.0 + 3.1e-5, "{found:?}");
+        let s = (0.5 * found.wave.phases()[0]).sin().powi(2);
+        assert!((s - 0.25).abs() < 3.2e-3, "{found:?}");
+    }
+
+    #[test]
+    fn growth_is_weak_up_to_what_is_permitted_or_hardly_seen() {
+        let verdict = |more: Rational, growth| judged(FACTOR, integer(1) + more, growth).verdict;
+        // 2^−14 < 10^−4 < 2^−13.
+        assert_eq!(verdict(ratio(1, 1 << 14), integer(0)), Verdict::WeaklyUnstable);
+        assert_eq!(verdict(ratio(1, 1 << 13), integer(0)), Verdict::Unstable);
+        // By less than a rounding beyond what is permitted, by a factor of two, and within it.
+        let permitted = ratio(1, 1 << 9);
+        let hardly = &permitted + ratio(1, 1 << 60);
+        assert_eq!(verdict(hardly, permitted.clone()), Verdict::WeaklyUnstable);
+        assert_eq!(verdict(ratio(1, 1 << 8), permitted.clone()), Verdict::Unstable);
+        assert_eq!(verdict(permitted.clone(), permitted), Verdict::Stable);
+    }
+
+    #[test]
+    fn multiple_multipliers_are_looked_for_in_one_dimension_where_nothing_may_grow() {
+        let leapfrog = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])";
+        let verdict = |text: &str, value, growth| judged(text, value, growth).verdict;
+        assert_eq!(verdict(leapfrog, integer(1), integer(0)), Verdict::Marginal);
+        assert_eq!(verdict(leapfrog, ratio(1, 2), integer(0)), Verdict::Stable);
+        assert_eq!(verdict(leapfrog, integer(1), ratio(1, 10)), Verdict::Stable);
+        let plane =
+            "u[n+1,i,j] = u[n-1,i,j] - C*(u[n,i+1,j] - u[n,i-1,j]) - C*(u[n,i,j+1] - u[n,i,j-1])";
+        assert_eq!(verdict(plane, ratio(1, 2), integer(0)), Verdict::Stable);
+    }
+
+    #[test]
+    fn what_no_halving_of_waves_decides_is_not_called_stable() {
+        // g = 1 − C ((3 s_x − 1)² + (3 s_y − 1)²) touches 1 at s_x = s_y = 1/3.
+        let square = |e: fn(i32) -> String| {
+            format!("22*u[n,i,j] - 12*({} + {}) + 9*({} + {})", e(1), e(-1), e(2), e(-2))
+        };
+        let x = square(|shift| format!("u[n,i+{shift},j]").replace("+-", "-"));
+        let y = square(|shift| format!("u[n,i,j+{shift}]").replace("+-", "-"));
+        let text = format!("u[n+1,i,j] = u[n,i,j] - C/16*({x} + {y})");
+        let found = judged(&text, ratio(1, 8), integer(0));
+        assert_eq!(found.verdict, Verdict::Undecided);
+        assert!(found.largest <= 1.0 + 1e-15);
+    }
+}

@@ -112,7 +112,7 @@ fn on_cells(margin: &Margin) -> Onset {
     while i > 0 {
         // The edge that leaves (i, j) with t = κ s^μ, the largest μ: it comes first from t = 0.
         let slope =
-            |(k, power): (usize, usize)| (k < i).then(|| ratio((i - k) as i64, (power - j) as i64));
+            |(k, power): (usize, usize)| Some(ratio(i.checked_sub(k)? as i64, (power - j) as i64));
         let points = (j + 1..rows.len()).filter_map(|power| Some((first(&rows[power])?, power)));
         let Some(mu) = points.filter_map(slope).max() else { break };
         let on_edge = |power: usize| -> Option<(usize, f64)> {
@@ -148,6 +148,7 @@ fn on_cells(margin: &Margin) -> Onset {
 mod tests {
     use super::*;
     use crate::scheme::{Integrator, catalogue};
+    use crate::stability::testing;
 
     /// The largest parameter at which the margin is not negative on the longest wave of a ring.
     fn on_ring(margin: &Margin, cells: usize) -> f64 {
@@ -189,5 +190,33 @@ mod tests {
         ] {
             assert_eq!(Step::from_text(text).unwrap().refinement_rule("C").unwrap(), expected);
         }
+    }
+
+    #[test]
+    fn the_edges_of_the_polygon_are_followed_to_the_first_change_of_sign() {
+        let none = Rational::zero();
+        assert!(matches!(on_cells(&testing::margin(&[&[0]], &none)), Onset::Never));
+        assert!(matches!(on_cells(&testing::margin(&[&[0, -1], &[1]], &none)), Onset::AtOnce));
+        // s⁵ + s³ t + s² t² − t³: the edge t = κ s² has no change of sign, the next one is s³ = t².
+        let margin =
+            testing::margin(&[&[0, 0, 0, 0, 0, 1], &[0, 0, 0, 1], &[0, 0, 1], &[-1]], &none);
+        let Onset::At(rule) = on_cells(&margin) else { panic!() };
+        assert_eq!((rule.exponent.clone(), rule.factor), (integer(3), 0.125));
+        // The next terms are smaller by the root of s.
+        assert!((rule.at(10_000) / on_ring(&margin, 10_000) - 1.0).abs() < 1e-3);
+        // Positive on all edges.
+        assert!(matches!(on_cells(&testing::margin(&[&[0, 1], &[1]], &none)), Onset::Never));
+    }
+
+    #[test]
+    fn the_rule_is_said_only_where_it_is_known() {
+        let rule = |text: &str| Step::from_text(text).unwrap().refinement_rule("C").unwrap();
+        // Backwards in time: |g|² − 1 falls with C like Δt alone.
+        assert_eq!(rule("u[n+1,j] = u[n,j] - C*(u[n,j+1] - 2*u[n,j] + u[n,j-1])"), None);
+        // A number that is no fraction leaves its sign at single values open.
+        assert_eq!(rule("u[n+1,j] = u[n,j] - pi*C/2*(u[n,j+1] - u[n,j-1])"), None);
+        // z − 1/z grows like C, though the condition has C²: two multipliers.
+        let wave = "u[n+1,j] = 2*u[n,j] - u[n-1,j] - C^2*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
+        assert_eq!(rule(wave), None);
     }
 }

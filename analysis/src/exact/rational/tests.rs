@@ -160,3 +160,10 @@ proptest! {
         prop_assert!(low < &next * &next && (before.is_negative() || &before * &before <= high));
     }
 }
+
+#[test]
+fn fractions_are_set_with_their_sign_in_front() {
+    let set = |above: i64, below: i64| to_latex(&ratio(above, below));
+    assert_eq!([set(3, 4), set(-3, 4)], ["\\frac{3}{4}", "-\\frac{3}{4}"]);
+    assert_eq!([set(5, 1), set(-5, 1), set(0, 1)], ["5", "-5", "0"]);
+}

@@ -172,3 +172,49 @@ fn how_far_a_wave_is_unstable() {
     let mut between = |a, b| search.is_unstable_between(&integer(a), &integer(b), &spot);
     assert!(between(1, 2) && !between(0, 1) && !between(1, 3) && !between(2, 3));
 }
+
+#[test]
+fn a_factor_of_the_waves_alone_has_the_sign_that_it_has_for_all_of_them() {
+    let power = |axis: usize, power: i16| Laurent::power_of(Variable::axis(axis), power);
+    let cosine = |axis: usize| power(axis, 1) + power(axis, -1);
+    let four_s = |axis: usize| Laurent::integer(2) - cosine(axis);
+    // (3 s_x − 1)² + (3 s_y − 1)², whose zero no halving meets.
+    let part = |axis: usize| (four_s(axis).scaled(&3.into()) - Laurent::integer(4)).pow(2);
+    let touching = part(0) + part(1);
+    let parameter = Variable::name(0);
+    let rest = || Laurent::integer(1) - Laurent::variable(parameter);
+    let of = |factor: Laurent| {
+        let requirement = Requirement {
+            condition: Condition::PlusOne,
+            on_circle: false,
+            polynomial: factor * rest(),
+            square: Laurent::integer(1),
+        };
+        TorusInequality::new(&requirement, 2, Some(parameter), 1).unwrap()
+    };
+    // The sign at parameters 0 and 2, for all waves.
+    let signs = |one: &TorusInequality| {
+        [0, 2].map(|value| {
+            let at_value = |cell: &Cell| cell.with_parameter(&integer(value));
+            let cells = one.cells.iter().map(at_value).collect();
+            match decide_on_torus(&[TorusInequality { cells, ..one.clone() }]) {
+                PointVerdict::Stable => '+',
+                PointVerdict::Unstable(_) => '-',
+                PointVerdict::Undecided => '?',
+            }
+        })
+    };
+    for (factor, expected, whatever_the_step) in [
+        (four_s(0), ['+', '-'], false),
+        (-four_s(0), ['-', '+'], false),
+        (four_s(0) + four_s(1), ['+', '-'], false),
+        // Neither: some wave is unstable whatever the parameter.
+        (cosine(0), ['-', '-'], true),
+        (touching.clone(), ['?', '-'], false),
+        (-touching, ['-', '?'], false),
+    ] {
+        let one = of(factor.clone());
+        assert_eq!(signs(&one), expected, "{factor:?}");
+        assert_eq!(one.binding.whatever_the_step, whatever_the_step, "{factor:?}");
+    }
+}

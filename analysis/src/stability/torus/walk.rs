@@ -207,32 +207,33 @@ impl<'a> Walk<'a> {
         };
         let mut may_end = None;
         for _ in 0..MOST_GUESSES {
-            let Some(critical) = &guess else {
+            let objection = if let Some(critical) = &guess {
+                let Some(edge) = self.search.edge(critical) else {
+                    if let Some(spot) = self.unstable_near(reached, &critical.spot) {
+                        return Stretch::Empty(spot);
+                    }
+                    // A rounding: that wave has no edge there.
+                    self.search.guesses.discard(critical.parameter);
+                    let next = self.search.guesses.next_unstable(at * (1.0 + SAME));
+                    guess = next.map(|(from, _)| self.search.guesses.refined(&from, true));
+                    continue;
+                };
+                may_end = Some(edge.lower.clone());
+                match self.closed(reached, edge) {
+                    Ok(edge) => return Stretch::Ends(edge),
+                    Err(objection) => objection,
+                }
+            } else {
                 let end = self.search.end.clone();
                 match self.search.is_stable(reached, &end) {
                     Ok(()) => return Stretch::Continues,
-                    Err(Objection::Budget) => break,
-                    Err(Objection::Wave(spot, t)) => guess = self.of_counterexample(&spot, &t),
+                    Err(objection) => objection,
                 }
-                continue;
             };
-            let Some(edge) = self.search.edge(critical) else {
-                // A rounding: that wave has no edge there.
-                self.search.guesses.discard(critical.parameter);
-                let next = self.search.guesses.next_unstable(at * (1.0 + SAME));
-                guess = next.map(|(from, _)| self.search.guesses.refined(&from, true));
-                continue;
-            };
-            may_end = Some(edge.lower.clone());
-            match self.closed(reached, edge) {
-                Ok(edge) => return Stretch::Ends(edge),
-                Err(Objection::Budget) => break,
-                Err(Objection::Wave(spot, t)) => {
-                    if t == *reached {
-                        return Stretch::Empty(spot);
-                    }
-                    guess = self.of_counterexample(&spot, &t);
-                }
+            match objection {
+                Objection::Budget => break,
+                Objection::Wave(spot, t) if t == *reached => return Stretch::Empty(spot),
+                Objection::Wave(spot, t) => guess = self.of_counterexample(&spot, &t),
             }
         }
         // What can be proved of it: ever less of the way to where it may end.
@@ -254,10 +255,13 @@ impl<'a> Walk<'a> {
     /// A wave that is unstable just above a value: proved.
     fn unstable_at_once(&mut self, reached: &Rational) -> Option<ExactSpot> {
         let samples: Vec<Spot> = self.search.guesses.unstable_above(to_f64(reached));
-        samples.iter().take(MOST_TRIED).find_map(|sample| {
-            let mut spots = self.search.exact_spots(sample).into_iter();
-            spots.find(|spot| self.search.unstable_until(reached, spot).is_some())
-        })
+        samples.iter().take(MOST_TRIED).find_map(|sample| self.unstable_near(reached, sample))
+    }
+
+    /// The same next to a sample.
+    fn unstable_near(&mut self, reached: &Rational, sample: &Spot) -> Option<ExactSpot> {
+        let mut spots = self.search.exact_spots(sample).into_iter();
+        spots.find(|spot| self.search.unstable_until(reached, spot).is_some())
     }
 
     /// An edge up to which everything is proved stable: the exact one, else one a little lower.
@@ -393,3 +397,6 @@ impl<'a> Walk<'a> {
         (to_f64_below(&lower), to_f64_above(&upper))
     }
 }
+
+#[cfg(test)]
+mod tests;
