@@ -346,3 +346,6 @@ pub fn decide_step_at(step: &Step, growth: &Rational) -> Result<PointVerdict<Wav
     }
     Ok(DemandsAt::new(&step.inequalities_in(None, growth)?).decide())
 }
+
+#[cfg(test)]
+mod tests;

@@ -52,16 +52,21 @@ impl Inequality {
             {
                 let sign = |polynomial: &Laurent| {
                     let margin = margin_of(polynomial, names, None, &Rational::one());
-                    margin.is_neutral()
-                        || MarginForm::new(&margin).sign(&integer(0), &integer(1), MAX_BOXES).0
-                            == Sign::NowhereNegative
+                    let form = MarginForm::new(&margin);
+                    (!margin.is_neutral()).then(|| form.sign(&integer(0), &integer(1), MAX_BOXES).0)
                 };
-                if sign(&common) {
-                    polynomial = rest;
-                } else if sign(&-common.clone()) {
-                    polynomial = -rest;
-                } else {
-                    whatever_the_step = true;
+                // What vanishes for these values of the letters stays: it says nothing.
+                match sign(&common) {
+                    None => {}
+                    Some(Sign::NowhereNegative) => polynomial = rest,
+                    Some(plus) => match sign(&-common) {
+                        Some(Sign::NowhereNegative) => polynomial = -rest,
+                        minus => {
+                            let negative =
+                                |sign| matches!(sign, Some(Sign::SomewhereNegative { .. }));
+                            whatever_the_step = negative(Some(plus)) && negative(minus);
+                        }
+                    },
                 }
             }
         }
@@ -229,10 +234,9 @@ fn grouped(
             .map(|v| (v, exponents[v]))
             .collect();
         let series = coefficients.entry((degree, letters)).or_default();
-        if series.len() <= order {
-            series.resize(order + 1, BigInt::zero());
-        }
-        series[order] += if order == 0 { value.clone() } else { value * 2 };
+        // Terms are sorted: orders ascend.
+        series.resize(order, BigInt::zero());
+        series.push(if order == 0 { value.clone() } else { value * 2 });
     }
     let mut groups: BTreeMap<Group, CosineSeries<BigInt>> = coefficients
         .into_iter()
@@ -258,4 +262,81 @@ fn divided(
     divide: impl Fn(&CosineSeries<BigInt>) -> Option<CosineSeries<BigInt>>,
 ) -> Option<BTreeMap<Group, CosineSeries<BigInt>>> {
     groups.iter().map(|(group, series)| Some((group.clone(), divide(series)?))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::ratio;
+    use crate::scheme::LetterKind;
+    use crate::stability::{PointVerdict, decide_at};
+
+    #[test]
+    fn a_factor_without_the_parameter_has_the_sign_that_is_proved() {
+        // Letters: 2, 1 within 1/10, 0, and −s.
+        let mut names = Names::default();
+        let parameter = names.insert_parameter("C").unwrap();
+        let minus_s = EnclosedSeries::half_versine().scaled(&integer(-1));
+        let values = [
+            EnclosedSeries::constant(integer(2)),
+            EnclosedSeries::new(&[integer(1)], ratio(1, 10)),
+            EnclosedSeries::constant(integer(0)),
+            minus_s,
+        ];
+        let letters = values.map(|value| {
+            let name = |number: usize| format!("x{number}");
+            names.insert_letter(LetterKind::Constant, value, None, name).unwrap()
+        });
+        let [two, about_one, zero, minus_s] = letters.map(Laurent::variable);
+        let one = || Laurent::integer(1);
+        let cosine =
+            Laurent::power_of(Variable::axis(0), 1) + Laurent::power_of(Variable::axis(0), -1);
+        // What a factor leaves of 1 − C at 1/2 and 2, and whether no step helps.
+        for (factor, expected, whatever_the_step) in [
+            (two.clone(), "+-", false),
+            (one() - two, "-+", false),
+            (minus_s, "-+", false),
+            (about_one.clone(), "+-", false),
+            // Its sign is not known: no more is said.
+            (about_one - one(), "??", false),
+            (zero, "++", false),
+            (cosine, "--", true),
+        ] {
+            let requirement = Requirement {
+                condition: Condition::PlusOne,
+                on_circle: false,
+                polynomial: &factor * &(one() - Laurent::variable(parameter)),
+                square: one(),
+            };
+            let found = Inequality::new(&requirement, &names, Some(parameter));
+            let signs =
+                [ratio(1, 2), integer(2)].map(|value| match decide_at(&found.margin, &value) {
+                    PointVerdict::Stable => '+',
+                    PointVerdict::Unstable(_) => '-',
+                    PointVerdict::Undecided => '?',
+                });
+            assert_eq!(String::from_iter(signs), expected, "{factor:?}");
+            assert_eq!(found.whatever_the_step, whatever_the_step, "{factor:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_real_or_has_parameters_is_no_series() {
+        let mut names = Names::default();
+        let parameter = names.insert_parameter("C").unwrap();
+        let shift = |power| Laurent::power_of(Variable::axis(0), power);
+        assert!(even_series(&Laurent::variable(parameter), &names).is_none());
+        assert!(even_series(&shift(1), &names).is_none());
+        // s² (1 − s), times 64: (2 − E − 1/E)² (2 + E + 1/E).
+        let cosine = shift(1) + shift(-1);
+        let [four_s, rest] = [-cosine.clone(), cosine].map(|c| Laurent::integer(2) + c);
+        let (series, s, complement) = even_series(&(four_s.pow(2) * rest), &names).unwrap();
+        assert_eq!((series.center().at_zero(), s, complement), (integer(64), 2, 1));
+        // Shifted to the middle where it has one: 1 − E is i times a real function at half a shift.
+        assert_eq!(symmetric(shift(3) + shift(1)), Some(shift(1) + shift(-1)));
+        assert_eq!(
+            [symmetric(shift(1) - Laurent::integer(1)), symmetric(shift(2) - Laurent::integer(1))],
+            [None, None]
+        );
+    }
 }

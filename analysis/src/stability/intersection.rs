@@ -108,10 +108,8 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
         let found = search_within(&inequality.margin, &end, &known, plan);
         result.work += found.work;
         result.undecided.extend(found.undecided);
-        if let Some(wave) = found.immediately_unstable
-            && interval.from.upper() == 0.0
-            && result.immediately_unstable.is_none()
-        {
+        // Only where nothing was known yet: what begins later is searched from there on, and no second condition begins at 0.
+        if let Some(wave) = found.immediately_unstable {
             result.immediately_unstable = Some(wave);
             result.immediate_binding = Some(binding);
         }

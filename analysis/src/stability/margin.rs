@@ -78,10 +78,8 @@ impl Margin {
         let radius = powers.iter().map(EnclosedSeries::radius);
         let mut margin = Self::whole(series, radius, denominator, Rational::zero());
         margin.take_out_courant_number();
-        if margin.is_exact() {
-            margin.take_out_phase(margin.degree());
-        }
-        margin.take_out_complement();
+        margin.phase_power = margin.take_out(CosineSeries::divide_by_s);
+        margin.complement_power = margin.take_out(CosineSeries::divide_by_complement);
         margin.take_out_neutral_waves();
         margin
     }
@@ -142,28 +140,18 @@ impl Margin {
         self.radius = self.radius.iter().skip(first).step_by(self.stride).cloned().collect();
     }
 
-    /// `span` is the largest order of a cosine in `|g|²`, errors of the data included.
-    fn take_out_phase(&mut self, span: usize) {
-        let exact = self.is_exact();
-        while !self.is_neutral() && (exact || self.phase_power == 0) {
-            let Some(divided) = self.series.iter().map(CosineSeries::divide_by_s).collect() else {
-                return;
-            };
-            // |cos mφ − 1|/s ≤ 2m², so an error of the series grows by at most twice its degree squared.
-            let stretch = BigInt::from(2 * span * span);
-            self.radius.iter_mut().for_each(|radius| *radius *= &stretch);
-            self.series = divided;
-            self.phase_power += 1;
+    /// Divides an exact margin by a factor as often as it goes: how often.
+    fn take_out(
+        &mut self,
+        divided: impl Fn(&CosineSeries<BigInt>) -> Option<CosineSeries<BigInt>>,
+    ) -> usize {
+        let mut times = 0;
+        while self.is_exact() && !self.is_neutral() {
+            let Some(series) = self.series.iter().map(&divided).collect() else { break };
+            self.series = series;
+            times += 1;
         }
-    }
-
-    fn take_out_complement(&mut self) {
-        while !self.is_neutral() && self.is_exact() {
-            let divided = self.series.iter().map(CosineSeries::divide_by_complement).collect();
-            let Some(divided) = divided else { return };
-            self.series = divided;
-            self.complement_power += 1;
-        }
+        times
     }
 
     fn take_out_neutral_waves(&mut self) {
@@ -334,6 +322,22 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn what_is_zero_within_a_radius_is_not_nothing() {
+        let series =
+            |value: i64, radius: i64| EnclosedSeries::new(&[integer(value)], integer(radius));
+        let of = |powers: &[EnclosedSeries]| Margin::of_polynomial(powers);
+        assert!(of(&[series(0, 0)]).is_neutral() && of(&[]).is_neutral());
+        let open = of(&[series(0, 1)]);
+        assert!(!open.is_neutral() && !open.is_exact());
+        // 1 + (0 ± 1) t, and 1 + 0 t.
+        assert_eq!(of(&[series(1, 0), series(0, 1)]).powers(), 2);
+        assert_eq!(of(&[series(1, 0), series(0, 0)]).powers(), 1);
+        // Nothing is divided out of what is only near zero.
+        let long = EnclosedSeries::new(&[integer(1), integer(-1)], ratio(1, 9));
+        assert_eq!(of(&[long]).phase_power(), 0);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::exact::rational::{Rational, integer, simplest_between, to_f64, to_tex
 use crate::exact::real_roots::real_roots;
 use crate::scheme::{SchemeError, Step};
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -28,7 +28,8 @@ pub struct SingularStep {
 
 impl Step {
     /// The values of a parameter within `[0, plan.max]` at which no wave can be stepped, or one whose phases are 0 and π; and, in one
-    /// dimension, the first one at which any wave cannot, where the leading coefficient is real. Other singular waves are not looked for.
+    /// dimension, the first one at which any wave cannot, where the leading coefficient is real. Other singular waves are not looked for,
+    /// and none where numbers occur that are no fractions.
     ///
     /// ```
     /// use courant_analysis::scheme::Step;
@@ -125,7 +126,7 @@ fn zeros(polynomial: &Laurent, variable: Variable, max: &Rational) -> Vec<(f64, 
         let exact = polynomial.evaluate(&simplest).is_zero().then_some(simplest);
         (to_f64(exact.as_ref().unwrap_or(&root.upper)), exact)
     });
-    zero.into_iter().chain(positive.filter(|(value, _)| *value > 0.0)).collect()
+    zero.into_iter().chain(positive).collect()
 }
 
 /// What divides the coefficients of all waves.
@@ -160,7 +161,7 @@ fn centred(polynomial: &Laurent) -> Option<Laurent> {
         return None;
     }
     let start = at_corner(&shifted, 0).terms().first().map(|(_, value)| value.clone())?;
-    Some(if start < 0.into() { -shifted } else { shifted })
+    Some(if start.is_negative() { -shifted } else { shifted })
 }
 
 #[cfg(test)]
@@ -194,6 +195,12 @@ mod tests {
         let [irrational] = &singular("(1 - 2*C^2)*u[n+1,j] = u[n,j]")[..] else { panic!() };
         assert!(irrational.wave.is_none() && irrational.exact.is_none());
         assert!((irrational.value - 0.5f64.sqrt()).abs() < 1e-15);
+        // (1 − C)(2 − C E): every wave at 1, the longest at 2 as well.
+        let every = SingularStep { wave: None, ..at(integer(1), 0.0) };
+        let factors = "(1 - C)*(2*u[n+1,j] - C*u[n+1,j+1]) = u[n,j]";
+        assert_eq!(singular(factors), [every, at(integer(2), 0.0)]);
+        // Numbers that are no fractions are not looked into.
+        assert_eq!(singular("(1 - sqrt(2)*C)*u[n+1,j] = u[n,j]"), []);
     }
 
     #[test]
@@ -212,6 +219,12 @@ mod tests {
         // C − s: every wave has its own singular value, from 0 on; the shortest has 1.
         let at_once = "C*u[n+1,j] + (u[n+1,j+1] - 2*u[n+1,j] + u[n+1,j-1])/4 = u[n,j]";
         assert_eq!(singular(at_once), [at(integer(0), 0.0), at(integer(1), PI)]);
+        // 1 − C w(s), w = 9s − 8s²: the largest w, 81/32, is at s = 9/16, and w = 1 at the shortest wave.
+        let two = "u[n+1,j] - C*(3/2*u[n+1,j] - 1/4*(u[n+1,j+1] + u[n+1,j-1]) - 1/2*(u[n+1,j+2] + u[n+1,j-2])) = u[n,j]";
+        let [first, last] = &singular(two)[..] else { panic!() };
+        assert_eq!((first.exact.clone(), last), (Some(ratio(32, 81)), &at(integer(1), PI)));
+        let s = (0.5 * first.wave.clone().unwrap().phases()[0]).sin().powi(2);
+        assert!((s - 9.0 / 16.0).abs() < 1e-7);
         // 1 + 2iC sin φ is real after no shift.
         let not_real = "u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j-1]) = u[n,j]";
         assert!(singular(not_real).is_empty());

@@ -104,3 +104,23 @@ fn ranges_and_beginnings_are_those_of_all_conditions() {
     assert_eq!(nowhere(2).limit().value(), 0.0);
     assert!(!nowhere(2).neutral && unknown(&wide).limit().evidence() == Evidence::Undecided);
 }
+
+#[test]
+fn an_end_and_a_beginning_that_nothing_tells_apart_are_no_interval() {
+    // C² ≥ 2 and C² ≤ 2.
+    let above = inequality(PlusOne, margin(&[&[-2, 1], &[0], &[1]], &integer(0)));
+    let below = inequality(MinusOne, margin(&[&[2, 1], &[0], &[-1]], &integer(0)));
+    let set = intersection(&[above, below], &plan(52));
+    assert!(set.intervals.is_empty(), "{set:?}");
+    assert!(set.undecided.iter().all(|open| (open.0 - 2f64.sqrt()).abs() < 1e-9), "{set:?}");
+}
+
+#[test]
+fn windows_end_a_little_above_a_limit_and_within_the_range() {
+    let exact = |value: i64| Limit::exactly(ExactValue::Fraction(integer(value)), Evidence::Proved);
+    let end = window_end(&exact(3), &integer(4));
+    assert!(ratio(3, 1) < end && end < ratio(3_000_001, 1_000_000));
+    for limit in [exact(4), exact(5), exact(0), Limit::beyond(&integer(4), Evidence::Proved)] {
+        assert_eq!(window_end(&limit, &integer(4)), integer(4), "{limit:?}");
+    }
+}

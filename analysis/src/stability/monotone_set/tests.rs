@@ -199,3 +199,26 @@ proptest! {
         if positive { prop_assert!(set.contains(&point), "{}", text); }
     }
 }
+
+#[test]
+fn roots_that_their_first_enclosures_do_not_tell_apart_are_ordered() {
+    // x² − 2 and x² − 2 − 2^−500, whose roots differ by 2^−501.5, and their product.
+    let near = integer(2) + power_of_two(-500);
+    let square = |constant: Rational| Polynomial::new(vec![-constant, integer(0), integer(1)]);
+    let of = |polynomial| Coefficient::new(vec![0], polynomial);
+    let (first, second) = (of(square(integer(2))), of(square(near.clone())));
+    let plan = SearchPlan::default().up_to(integer(10));
+    let end = |of| Coefficient::roots(of, &plan).pop().map(|root| End { root, of }).unwrap();
+    assert_eq!(end(&first).order(&end(&second)), Ordering::Less);
+    assert_eq!(end(&second).order(&end(&first)), Ordering::Greater);
+    let multiple = of(square(integer(2)) * Polynomial::new(vec![integer(3), integer(1)]));
+    assert_eq!(end(&first).order(&end(&multiple)), Ordering::Equal);
+    let both = of(square(integer(2)) * square(near));
+    let [lower, upper] = &both.roots(&plan)[..] else { panic!() };
+    assert!(lower.upper < upper.lower);
+    // Negative in between, for however short a stretch.
+    assert_eq!(both.non_negative(&plan).len(), 2);
+    // A root as near to the end of the range.
+    let close = plan.up_to(upper.upper.clone());
+    assert!(both.roots(&close).iter().all(|root| root.upper < close.max));
+}

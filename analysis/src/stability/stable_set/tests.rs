@@ -365,3 +365,23 @@ fn the_condition_that_fails_is_named() {
     assert_eq!((nowhere.limit().value(), nowhere.evidence), (0.0, Evidence::Proved));
     assert!(nowhere.immediately_unstable.is_some() && nowhere.limit().binding().is_none());
 }
+
+#[test]
+fn the_limit_of_a_set_that_does_not_begin_at_zero_is_zero() {
+    let exactly =
+        |value: i64| Limit::exactly(ExactValue::Fraction(integer(value)), Evidence::Proved);
+    let window = StableInterval { from: exactly(1), to: exactly(2) };
+    let set = |intervals, undecided| StableSet {
+        intervals,
+        undecided,
+        ..StableSet::empty(Evidence::Proved)
+    };
+    // Whatever is open further on.
+    let limit = set(vec![window.clone()], vec![(2.0, 3.0)]).limit();
+    assert_eq!((limit.upper(), limit.evidence()), (0.0, Evidence::Proved));
+    let limit = set(vec![window.clone()], vec![(0.0, 1.0)]).limit();
+    assert_eq!((limit.lower(), limit.evidence()), (0.0, Evidence::Undecided));
+    let contains = |value| set(vec![window.clone()], Vec::new()).contains(&value);
+    assert!(contains(integer(1)) && contains(ratio(3, 2)) && contains(integer(2)));
+    assert!(!contains(integer(0)) && !contains(ratio(1, 2)) && !contains(ratio(5, 2)));
+}
