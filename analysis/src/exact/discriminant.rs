@@ -52,11 +52,8 @@ impl Bivariate {
         let content =
             powers.iter().flat_map(Polynomial::coefficients).fold(BigInt::zero(), common_divisor);
         let degree = powers.iter().filter_map(Polynomial::degree).max().unwrap_or(0);
-        let powers = if content.is_zero() {
-            powers
-        } else {
-            powers.iter().map(|power| power.map(|value| value / &content)).collect()
-        };
+        // Where it is zero there is no coefficient.
+        let powers = powers.iter().map(|power| power.map(|value| value / &content)).collect();
         Self { powers, degree }
     }
 
@@ -108,9 +105,8 @@ impl Bivariate {
         if powers.iter().all(|power| power[self.degree] == 0) {
             return None;
         }
-        let (mut nodes, mut values) = (Vec::with_capacity(points), Vec::with_capacity(points));
-        let (mut node, mut t) = (0, 0);
-        while nodes.len() < points {
+        let value_at = |node: usize| -> Option<(usize, u64)> {
+            let t = field.embed(&node.into());
             let at_t: Vec<u64> = (0..=self.degree)
                 .map(|i| {
                     powers
@@ -120,12 +116,9 @@ impl Bivariate {
                 })
                 .collect();
             // Where the leading coefficient vanishes the degrees are not those of the matrix.
-            if at_t[self.degree] != 0 {
-                nodes.push(node);
-                values.push(discriminant_modulo(field, at_t));
-            }
-            (node, t) = (node + 1, field.add(t, field.one()));
-        }
+            (at_t[self.degree] != 0).then(|| (node, discriminant_modulo(field, at_t)))
+        };
+        let (nodes, values): (Vec<_>, _) = (0..).filter_map(value_at).take(points).unzip();
         Some(interpolate(field, &nodes, values))
     }
 }
@@ -146,14 +139,16 @@ fn discriminant_modulo(field: &PrimeField, polynomial: Vec<u64>) -> u64 {
     let (mut a, mut b) = (polynomial, derivative);
     // With r = lc(b)^{m − n + 1} a mod b, which needs no inverse,
     // Res(a, b) = (−1)^{mn} lc(b)^{m − deg r − n (m − n + 1)} Res(b, r).
-    let (mut numerator, mut denominator, mut negative) = (field.one(), leading, false);
+    let (mut numerator, mut denominator) = (field.one(), leading);
     while b.len() > 1 {
         let (m, n) = (a.len() - 1, b.len() - 1);
         let rest = field.pseudo_remainder(a, &b);
         if rest.is_empty() {
             return 0;
         }
-        negative ^= m % 2 == 1 && n % 2 == 1;
+        if m * n % 2 == 1 {
+            numerator = field.subtract(0, numerator);
+        }
         let leading = b[n];
         let power = |exponent: usize| field.power(leading, exponent as u64);
         numerator = field.multiply(numerator, power(m + 1 - rest.len()));
@@ -161,19 +156,16 @@ fn discriminant_modulo(field: &PrimeField, polynomial: Vec<u64>) -> u64 {
         (a, b) = (b, rest);
     }
     numerator = field.multiply(numerator, field.power(b[0], (a.len() - 1) as u64));
-    let result = field.multiply(numerator, field.inverse(denominator));
-    if negative { field.subtract(0, result) } else { result }
+    field.multiply(numerator, field.inverse(denominator))
 }
 
 /// The polynomial with these values at ascending whole numbers, by Newton's divided differences.
 fn interpolate(field: &PrimeField, nodes: &[usize], mut values: Vec<u64>) -> Vec<u64> {
     let count = nodes.len();
     let farthest = nodes.last().map_or(0, |last| last - nodes[0]);
-    let inverses: Vec<u64> = (0..=farthest)
-        .map(
-            |distance| if distance == 0 { 0 } else { field.inverse(field.embed(&distance.into())) },
-        )
-        .collect();
+    // No two nodes are 0 apart.
+    let inverses: Vec<u64> =
+        (0..=farthest).map(|distance| field.inverse(field.embed(&distance.into()))).collect();
     for level in 1..count {
         for i in (level..count).rev() {
             let rise = field.subtract(values[i], values[i - 1]);
@@ -317,5 +309,24 @@ mod tests {
         let cost = Bivariate::new(vec![p(&[1, 2, 3, 4]), p(&[4, 3, 2, 1])]).cost();
         assert_eq!(cost, DiscriminantCost { primes: 1, points: 5, products: 18 });
         assert_eq!(cost.total(), 90);
+        // Of what is common to all coefficients nothing is said.
+        let large = BigInt::from(7).pow(50);
+        let scaled = [p(&[1, 2, 3, 4]), p(&[4, 3, 2, 1])].map(|one| one.scale(&large));
+        assert_eq!(Bivariate::new(scaled.to_vec()).cost(), cost);
+        assert!(Bivariate::new(vec![p(&[])]).cost().total() < 9);
+    }
+
+    #[test]
+    fn a_prime_that_divides_the_leading_coefficient_is_passed_over() {
+        // (p s)² + s + t for the largest prime p: 1 − 4p² t, and 2s + 1 with a positive first coefficient.
+        let square = BigInt::from(PrimeField::largest().prime()).pow(2);
+        let of = |values: [BigInt; 3]| Polynomial::new(values.to_vec());
+        let powers =
+            vec![of([0.into(), 1.into(), square.clone()]), of([1.into(), 0.into(), 0.into()])];
+        let expected = Polynomial::new(vec![BigInt::from(-1), square * 4]);
+        assert_eq!(Bivariate::new(powers).discriminant(), expected);
+        let p = |values: &[i64]| Polynomial::new(values.iter().map(|&v| v.into()).collect());
+        assert_eq!(primitive(&p(&[-2, -4])), p(&[1, 2]));
+        assert_eq!(primitive(&p(&[-2, 4])), p(&[-1, 2]));
     }
 }

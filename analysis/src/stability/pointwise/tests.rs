@@ -3,6 +3,7 @@
 use super::*;
 use crate::exact::bernstein::{MarginForm, Sign};
 use crate::exact::rational::{parse, ratio};
+use crate::exact::real_roots::power_of_two;
 use crate::exact::stencil::Stencil;
 use crate::kernel::Kernel;
 use crate::scheme::testing::{sph, step_of};
@@ -289,4 +290,26 @@ fn at_zero_powers_of_the_parameter_that_came_out_count() {
     // −t and 0 vanish there, t − 1 does not.
     assert!(at_zero(&[&[0], &[-1]]) && at_zero(&[&[0]]) && at_zero(&[&[1], &[-1]]));
     assert!(!at_zero(&[&[-1], &[1]]));
+}
+
+#[test]
+fn a_polynomial_is_negative_between_roots_however_near_they_are() {
+    let polynomial = |values: &[i64]| Polynomial::new(values.iter().map(|&v| integer(v)).collect());
+    let line = |root: Rational| Polynomial::new(vec![-root, integer(1)]);
+    for bits in [4i64, 20, 300] {
+        let gap = power_of_two(-bits);
+        // Between 0, 1/2, 3/8 or 1/3 and a little above; −p is negative elsewhere.
+        for root in [integer(0), ratio(1, 2), ratio(3, 8), ratio(1, 3)] {
+            let (lower, upper) = (root.clone(), root + &gap);
+            let valley = line(lower.clone()) * line(upper.clone());
+            let found = negative_point(&valley).unwrap();
+            assert!(lower < found && found < upper, "{found}");
+            let found = negative_point(&-valley).unwrap();
+            assert!(found < lower || upper < found, "{found}");
+        }
+        // Irrational: (s² − 1/2)² is touched twice in no wave, moved down a little it is crossed twice.
+        let square = polynomial(&[-1, 0, 2]).pow(2);
+        assert_eq!(negative_point(&square), None);
+        assert!(negative_point(&(square - Polynomial::constant(gap))).is_some());
+    }
 }
