@@ -273,13 +273,13 @@ mod tests {
 
     #[test]
     fn a_factor_without_the_parameter_has_the_sign_that_is_proved() {
-        // Letters: 2, 1 within 1/10, 0, and −s.
+        // Letters: 2, 1.01 within 1/100, 0, and −s.
         let mut names = Names::default();
         let parameter = names.insert_parameter("C").unwrap();
         let minus_s = EnclosedSeries::half_versine().scaled(&integer(-1));
         let values = [
             EnclosedSeries::constant(integer(2)),
-            EnclosedSeries::new(&[integer(1)], ratio(1, 10)),
+            EnclosedSeries::new(&[ratio(101, 100)], ratio(1, 100)),
             EnclosedSeries::constant(integer(0)),
             minus_s,
         ];
@@ -298,7 +298,7 @@ mod tests {
             (minus_s, "-+", false),
             (about_one.clone(), "+-", false),
             // Its sign is not known: no more is said.
-            (about_one - one(), "??", false),
+            (about_one.scaled(&100.into()) - Laurent::integer(101), "??", false),
             (zero, "++", false),
             (cosine, "--", true),
         ] {

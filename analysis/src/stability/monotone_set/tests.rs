@@ -202,23 +202,24 @@ proptest! {
 
 #[test]
 fn roots_that_their_first_enclosures_do_not_tell_apart_are_ordered() {
-    // x² − 2 and x² − 2 − 2^−500, whose roots differ by 2^−501.5, and their product.
-    let near = integer(2) + power_of_two(-500);
-    let square = |constant: Rational| Polynomial::new(vec![-constant, integer(0), integer(1)]);
-    let of = |polynomial| Coefficient::new(vec![0], polynomial);
-    let (first, second) = (of(square(integer(2))), of(square(near.clone())));
+    // (x − 1)² − 2^−k, k odd: roots 2^(−k/2) to both sides of 1, which 200 bits do not tell from it.
+    let near = |k: i64| {
+        let polynomial = vec![integer(1) - power_of_two(-k), integer(-2), integer(1)];
+        Coefficient::new(vec![0], Polynomial::new(polynomial))
+    };
+    let (nearer, farther) = (near(441), near(439));
     let plan = SearchPlan::default().up_to(integer(10));
     let end = |of| Coefficient::roots(of, &plan).pop().map(|root| End { root, of }).unwrap();
-    assert_eq!(end(&first).order(&end(&second)), Ordering::Less);
-    assert_eq!(end(&second).order(&end(&first)), Ordering::Greater);
-    let multiple = of(square(integer(2)) * Polynomial::new(vec![integer(3), integer(1)]));
-    assert_eq!(end(&first).order(&end(&multiple)), Ordering::Equal);
-    let both = of(square(integer(2)) * square(near));
-    let [lower, upper] = &both.roots(&plan)[..] else { panic!() };
-    assert!(lower.upper < upper.lower);
-    // Negative in between, for however short a stretch.
-    assert_eq!(both.non_negative(&plan).len(), 2);
-    // A root as near to the end of the range.
-    let close = plan.up_to(upper.upper.clone());
-    assert!(both.roots(&close).iter().all(|root| root.upper < close.max));
+    assert_eq!(end(&nearer).order(&end(&farther)), Ordering::Less);
+    assert_eq!(end(&farther).order(&end(&nearer)), Ordering::Greater);
+    let once_more = nearer.polynomial.clone() * Polynomial::new(vec![integer(3), integer(1)]);
+    let once_more = Coefficient::new(vec![0], once_more);
+    assert_eq!(end(&nearer).order(&end(&once_more)), Ordering::Equal);
+    // Negative in between, for however short a stretch, and however soon the range ends behind it.
+    for max in [integer(10), integer(1) + power_of_two(-219)] {
+        let plan = SearchPlan::default().up_to(max);
+        let [lower, upper] = &farther.roots(&plan)[..] else { panic!() };
+        assert!(lower.upper < upper.lower && upper.upper < plan.max);
+        assert_eq!(farther.non_negative(&plan).len(), 2);
+    }
 }

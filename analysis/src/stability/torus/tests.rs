@@ -218,3 +218,16 @@ fn a_factor_of_the_waves_alone_has_the_sign_that_it_has_for_all_of_them() {
         assert_eq!(one.binding.whatever_the_step, whatever_the_step, "{factor:?}");
     }
 }
+
+#[test]
+fn what_is_not_real_or_holds_another_name_has_no_cells() {
+    let shift = |power: i16| Laurent::power_of(Variable::axis(0), power);
+    let [parameter, other] = [0, 1].map(Variable::name);
+    let count = |polynomial: &Laurent| {
+        piece::cells(polynomial, 2, Some(parameter), 1).map(|cells| cells.len())
+    };
+    let real = shift(1) + shift(-1);
+    assert_eq!(count(&Laurent::default()), Some(0));
+    assert!(count(&(&real + &Laurent::variable(parameter))).is_some_and(|cells| cells > 0));
+    assert_eq!([count(&shift(1)), count(&(real + Laurent::variable(other)))], [None, None]);
+}
