@@ -301,6 +301,9 @@ mod tests {
         let p = |values: &[i64]| Polynomial::new(values.iter().map(|&v| v.into()).collect());
         let found = Bivariate::new(vec![p(&[1, 0, 0, 0, 1]), p(&[0, 1])]).discriminant();
         assert_eq!(found, p(&[-256, 0, 0, 0, 27]));
+        // Of s³ + t s + 1 it is 4t³ + 27: the degrees go 3, 2, 1, at 0 they go 3, 2, 0.
+        let found = Bivariate::new(vec![p(&[1, 0, 0, 1]), p(&[0, 1])]).discriminant();
+        assert_eq!(found, p(&[27, 0, 0, 4]));
     }
 
     #[test]

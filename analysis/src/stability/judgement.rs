@@ -112,6 +112,7 @@ mod tests {
         assert_eq!(found(upwind, ratio(3, 2)), (Verdict::Unstable, 2.0, vec![PI]));
         // All waves alike: the first one, the constant.
         assert_eq!(found(FACTOR, integer(2)), (Verdict::Unstable, 2.0, vec![0.0]));
+        assert_eq!(found(FACTOR, integer(1)), (Verdict::Stable, 1.0, vec![0.0]));
         // |g|² = 1 + C² (sin φ_x − sin φ_y)²: phases of opposite signs, none beyond ±π.
         let centred =
             "u[n+1,i,j] = u[n,i,j] - C/2*(u[n,i+1,j] - u[n,i-1,j]) + C/2*(u[n,i,j+1] - u[n,i,j-1])";

@@ -1,6 +1,5 @@
 //! What a periodic run of `N` cells may do where long waves grow at every step: its longest wave has the phase `2π/N`.
 
-use super::conditions::Condition;
 use super::decision::Demands;
 use super::margin::Margin;
 use crate::exact::rational::{Rational, integer, ratio, to_f64};
@@ -68,10 +67,10 @@ impl Step {
             match on_cells(margin) {
                 Onset::Never => {}
                 Onset::AtOnce => {
-                    // One multiplier: its square minus 1 is the condition.
+                    // One multiplier: its square minus 1 is the condition. Two on the circle part like the root of theirs.
                     let [one] = all.as_slice() else { return Ok(None) };
                     let power = margin.courant_power();
-                    let single = one.condition == Condition::Minor(1) && power > 1;
+                    let single = !one.on_circle && power > 1;
                     return Ok(single.then_some(Refinement::OfAllWaves { power }));
                 }
                 Onset::At(found) => {
@@ -218,5 +217,15 @@ mod tests {
         // z − 1/z grows like C, though the condition has C²: two multipliers.
         let wave = "u[n+1,j] = 2*u[n,j] - u[n-1,j] - C^2*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
         assert_eq!(rule(wave), None);
+        // The same, implicit: (1 − C² s)(z² + 1) = 2 (1 + C² s) z, z ≈ 1 + 2C √s, under the only condition −16 C² s.
+        let difference =
+            |level: &str| format!("(u[{level},j+1] - 2*u[{level},j] + u[{level},j-1])");
+        let [new, now, old] = ["n+1", "n", "n-1"].map(difference);
+        let implicit =
+            format!("u[n+1,j] + C^2/4*{new} = 2*u[n,j] - u[n-1,j] - C^2/2*{now} - C^2/4*{old}");
+        let demands =
+            Step::from_text(&implicit).unwrap().inequalities("C", &Rational::zero()).unwrap();
+        assert!(matches!(demands, Demands::All(all) if all.len() == 1 && all[0].on_circle));
+        assert_eq!(rule(&implicit), None);
     }
 }

@@ -211,6 +211,7 @@ fn a_factor_of_the_waves_alone_has_the_sign_that_it_has_for_all_of_them() {
         // Neither: some wave is unstable whatever the parameter.
         (cosine(0), ['-', '-'], true),
         (touching.clone(), ['?', '-'], false),
+        (touching.clone() * (four_s(0) + four_s(1)), ['?', '-'], false),
         (-touching, ['-', '?'], false),
     ] {
         let one = of(factor.clone());

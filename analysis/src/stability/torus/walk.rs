@@ -232,7 +232,6 @@ impl<'a> Walk<'a> {
             };
             match objection {
                 Objection::Budget => break,
-                Objection::Wave(spot, t) if t == *reached => return Stretch::Empty(spot),
                 Objection::Wave(spot, t) => guess = self.of_counterexample(&spot, &t),
             }
         }
@@ -317,8 +316,7 @@ impl<'a> Walk<'a> {
             let candidates = self.search.guesses.unstable_above(at);
             let further = candidates.iter().take(MOST_TRIED).find_map(|spot| {
                 let [.., plain] = &self.search.exact_spots(spot)[..] else { return None };
-                let until = self.search.unstable_until(&reached, plain)?;
-                (until > reached).then_some(until)
+                self.search.unstable_until(&reached, plain)
             });
             match further {
                 Some(until) => reached = until,
@@ -350,8 +348,7 @@ impl<'a> Walk<'a> {
             let beyond = &upper * (integer(1) + power_of_two(6 - width));
             if self.search.is_stable(&upper, &beyond).is_ok() {
                 // The wave of an exact edge is unstable right up to it.
-                let exact = edge.lower == edge.upper && upper == edge.upper;
-                let reaches = exact && self.search.is_unstable_between(&lower, &upper, &spot);
+                let reaches = self.search.is_unstable_between(&lower, &upper, &spot);
                 let lower = if reaches { upper.clone() } else { lower };
                 return Ok(Edge { lower, upper, spot: Some(spot) });
             }

@@ -128,6 +128,14 @@ fn instability_goes_from_wave_to_wave() {
     assert_eq!(set.intervals[0].to.value(), 1.0);
     let contains = |t| set.contains(&t);
     assert!(contains(integer(1)) && !contains(ratio(3, 2)) && !contains(ratio(5, 2)));
+    let known = set.intervals.get(1).is_some_and(|next| next.from.lower() == 3.0);
+    assert!(known || !set.undecided.is_empty(), "{set:?}");
+    // Up to 1 in a band that samples do not see, and from 3 to 4: what is between is not lost.
+    let set = found(vec![between_samples(40, &[-1, 1]), alike(&[12, -7, 1])], 1, &to_five());
+    let spans = |one: &StableInterval| one.from.lower() < 2.0 && one.from.upper() > 3.0;
+    assert!(!set.intervals.iter().any(spans), "{set:?}");
+    let open = set.undecided.iter().any(|open| open.0 < 2.0 && open.1 > 2.0);
+    assert!(open || set.contains(&integer(2)), "{set:?}");
 }
 
 #[test]
