@@ -10,7 +10,7 @@ use crate::stability::MAX_BOXES;
 use crate::stability::conditions::{Condition, Requirement};
 use crate::stability::margin::Margin;
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
 /// Bits kept of letters in long products: far more than a limit is reported with, and few enough for high powers.
@@ -50,23 +50,21 @@ impl Inequality {
             if let Some(common) = common.filter(|p| p.as_constant().is_none())
                 && let Some(rest) = polynomial.divide_exactly(&common)
             {
-                let sign = |polynomial: &Laurent| {
-                    let margin = margin_of(polynomial, names, None, &Rational::one());
-                    let form = MarginForm::new(&margin);
-                    (!margin.is_neutral()).then(|| form.sign(&integer(0), &integer(1), MAX_BOXES).0)
-                };
+                let margin = |factor: &Laurent| margin_of(factor, names, None, &Rational::one());
+                let factor = margin(&common);
                 // What vanishes for these values of the letters stays: it says nothing.
-                match sign(&common) {
-                    None => {}
-                    Some(Sign::NowhereNegative) => polynomial = rest,
-                    Some(plus) => match sign(&-common) {
-                        Some(Sign::NowhereNegative) => polynomial = -rest,
-                        minus => {
-                            let negative =
-                                |sign| matches!(sign, Some(Sign::SomewhereNegative { .. }));
-                            whatever_the_step = negative(Some(plus)) && negative(minus);
+                if !factor.is_neutral() {
+                    let plus = is_nowhere_negative(&factor);
+                    if plus == Some(true) {
+                        polynomial = rest;
+                    } else {
+                        match is_nowhere_negative(&margin(&-common)) {
+                            Some(true) => polynomial = -rest,
+                            minus => {
+                                whatever_the_step = plus == Some(false) && minus == Some(false);
+                            }
                         }
-                    },
+                    }
                 }
             }
         }
@@ -77,6 +75,20 @@ impl Inequality {
             whatever_the_step,
             thinned: parameter.is_some_and(|p| requirement.square.primitive().contains(p)),
         }
+    }
+}
+
+/// Whether a condition without a parameter holds for every wave; `None` where that is not known.
+fn is_nowhere_negative(margin: &Margin) -> Option<bool> {
+    let form = MarginForm::new(margin);
+    match form.sign(&integer(0), &integer(1), MAX_BOXES).0 {
+        Sign::NowhereNegative => Some(true),
+        // For some data within the radius, or for all.
+        Sign::SomewhereNegative { phase_parameter, .. } => {
+            let highest = form.integers_at(&phase_parameter, 1);
+            highest.iter().any(Signed::is_negative).then_some(false)
+        }
+        Sign::Undecided => None,
     }
 }
 
