@@ -98,26 +98,33 @@ impl Field {
     fn crossed_cells(&self, levels: &[f64]) -> Vec<Vec<[usize; 2]>> {
         let mut order: Vec<usize> = (0..levels.len()).collect();
         order.sort_by(|&a, &b| levels[a].total_cmp(&levels[b]));
-        let ascending: Vec<f64> = order.iter().map(|&which| levels[which]).collect();
         // How many levels each node reaches: a cell is crossed by those that some of its nodes reach and others do not.
-        let reaches = |value: &f64| ascending.partition_point(|level| level <= value);
-        let reached = match &self.border {
-            None => self.values.map(reaches),
-            Some(border) => Zip::from(&*self.values)
-                .and(&**border)
-                .map_collect(|value, border| if *border >= 0.0 { reaches(value) } else { 0 }),
-        };
+        // This is the inner loop of every map: counted for one level after the other, many nodes at once.
+        let mut reached = Array2::<i16>::zeros(self.values.dim());
+        for level in levels {
+            let counts = Zip::from(&mut reached).and(&*self.values);
+            counts.for_each(|count, value| *count += i16::from(value >= level));
+        }
+        if let Some(border) = &self.border {
+            let counts = Zip::from(&mut reached).and(&**border);
+            counts.for_each(|count, border| *count *= i16::from(*border >= 0.0));
+        }
         let (columns, rows) = self.values.dim();
         let mut cells = vec![Vec::new(); levels.len()];
+        let mut sides = vec![[0; 2]; rows];
         for i in 0..columns - 1 {
-            let (left, right) = (reached.row(i), reached.row(i + 1));
-            // Iterators rather than indices: this is the inner loop of every map.
-            let sides = left.iter().zip(right).map(|(&a, &b)| (a.min(b), a.max(b)));
-            for (j, ((low, high), next)) in sides.clone().zip(sides.skip(1)).enumerate() {
-                let (least, most) = (low.min(next.0), high.max(next.1));
-                let is_outer = j == 0 || i + 2 == columns || j + 2 == rows || i == 0;
+            let nodes = reached.row(i).into_iter().zip(reached.row(i + 1));
+            sides.iter_mut().zip(nodes).for_each(|(side, (&a, &b))| *side = [a.min(b), a.max(b)]);
+            let is_outer_column = i == 0 || i + 2 == columns;
+            for (j, ends) in sides.windows(2).enumerate() {
+                let [least, most] = [ends[0][0].min(ends[1][0]), ends[0][1].max(ends[1][1])];
+                let is_outer = is_outer_column || j == 0 || j + 2 == rows;
                 let first = if is_outer { 0 } else { least };
-                order[first..most].iter().for_each(|&which| cells[which].push([i, j]));
+                // Nearly always nothing.
+                if first < most {
+                    let crossing = &order[first as usize..most as usize];
+                    crossing.iter().for_each(|&which| cells[which].push([i, j]));
+                }
             }
         }
         cells
