@@ -99,7 +99,8 @@ fn bytes<'a>(shape: &[usize], values: impl ExactSizeIterator<Item = &'a f64>) ->
     header.push_str(&" ".repeat(unpadded.next_multiple_of(64) - unpadded));
     header.push('\n');
     let mut bytes = Vec::with_capacity(10 + header.len() + 8 * values.len());
-    bytes.extend([MAGIC, &[1, 0], &(header.len() as u16).to_le_bytes(), header.as_bytes()].concat());
+    bytes
+        .extend([MAGIC, &[1, 0], &(header.len() as u16).to_le_bytes(), header.as_bytes()].concat());
     // Eight at once: byte by byte it would take thirty times as long.
     values.for_each(|value| bytes.extend_from_slice(&value.to_le_bytes()));
     bytes

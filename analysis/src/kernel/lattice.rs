@@ -27,8 +27,8 @@ impl RatioOutOfRange {
     /// When it is out of range.
     pub fn check(ratio: &Rational) -> Result<(), Self> {
         let (numerator, denominator) = (ratio.numer(), ratio.denom());
-        let accepted = *numerator <= denominator * MAX_RATIO
-            && numerator * MAX_INVERSE_RATIO >= *denominator;
+        let accepted =
+            *numerator <= denominator * MAX_RATIO && numerator * MAX_INVERSE_RATIO >= *denominator;
         accepted.then_some(()).ok_or_else(|| Self(crate::exact::rational::to_text(ratio)))
     }
 }
