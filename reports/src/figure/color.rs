@@ -141,7 +141,7 @@ impl Bands {
     }
 
     /// Lower edges and colours from the lowest band to the highest.
-    pub(super) fn from_below(&self) -> (Vec<f64>, Vec<Color>) {
+    pub(super) fn ascending(&self) -> (Vec<f64>, Vec<Color>) {
         let last = self.edges[self.edges.len() - 1].next_up();
         let below = self.below.map(|color| (f64::NEG_INFINITY, color));
         let inner = self.edges.iter().copied().zip(self.colors.iter().copied());

@@ -64,7 +64,7 @@ impl Frame<'_> {
 pub(super) fn layers(canvas: &impl Ink, frame: &Frame, layers: &[Layer]) -> Drawn {
     // Side by side: following contours is most of the work.
     layers.par_iter().for_each(|layer| match layer {
-        Layer::FilledContours(contours) => contours.field.follow(&contours.bands.from_below().0),
+        Layer::FilledContours(contours) => contours.field.follow(&contours.bands.ascending().0),
         Layer::Isolines(lines) => lines.field.follow(&lines.levels),
         _ => {}
     });
@@ -94,7 +94,7 @@ pub(super) fn layers(canvas: &impl Ink, frame: &Frame, layers: &[Layer]) -> Draw
 /// Each band is painted from its lower edge all the way up and the next one over it: neighbours overlap, so no seam of
 /// background can show between them.
 fn bands(canvas: &impl Ink, frame: &Frame, contours: &FilledContours) -> Drawn {
-    let (levels, colors) = contours.bands.from_below();
+    let (levels, colors) = contours.bands.ascending();
     for (rings, color) in frame.field(&contours.field).regions(&levels).into_iter().zip(colors) {
         let rings: Vec<_> = rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect();
         if !rings.is_empty() {
