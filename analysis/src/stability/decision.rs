@@ -13,6 +13,7 @@ use super::torus::{TorusDemands, stable_set_on_torus};
 use super::wave::Wave;
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::{Rational, integer};
+use crate::interest::Interest;
 use crate::scheme::{LetterKind, SchemeError, Step};
 use crate::stability::conditions::Condition;
 use crate::waves::growth_at;
@@ -34,6 +35,8 @@ pub struct SearchPlan {
     pub known: Rational,
     /// Whether the search ends where the first stretch of stable values does: all that a limit asks for.
     pub first_only: bool,
+    /// Whether the answer is still wanted.
+    pub interest: Interest,
 }
 
 /// What a scheme asks for.
@@ -67,6 +70,7 @@ impl Default for SearchPlan {
             budget: usize::MAX,
             known: Rational::zero(),
             first_only: false,
+            interest: Interest::default(),
         }
     }
 }
@@ -88,6 +92,20 @@ impl SearchPlan {
     #[must_use]
     pub fn knowing(self, strict: &Limit) -> Self {
         Self { known: strict.certain_lower().unwrap_or_default(), ..self }
+    }
+
+    /// Only as long as the answer is wanted.
+    #[must_use]
+    pub fn while_wanted(self, interest: Interest) -> Self {
+        Self { interest, ..self }
+    }
+
+    /// That the answer is still wanted.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub(crate) fn goes_on(&self) -> Result<(), SchemeError> {
+        if self.interest.is_lost() { Err(SchemeError::Cancelled) } else { Ok(()) }
     }
 
     /// With narrower enclosures.
@@ -160,7 +178,7 @@ impl Step {
     /// All values of a parameter for which no wave grows.
     ///
     /// # Errors
-    /// As [`limit`](Self::limit).
+    /// As [`limit`](Self::limit), and when the plan's [interest](Interest) is lost.
     pub fn stable_set(&self, parameter: &str, plan: &SearchPlan) -> Result<StableSet, SchemeError> {
         if plan.growth.is_positive() && plan.known.is_zero() {
             // What does not grow at all does not grow too fast: only the rest is searched.
@@ -186,6 +204,7 @@ impl Step {
             Demands::All(inequalities) => intersection(inequalities, plan),
             Demands::OnTorus(demands) => stable_set_on_torus(demands, plan),
         };
+        plan.goes_on()?;
         // One condition of one multiplier knows how fast each wave grows; of others only signs are known.
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
         if set.immediately_unstable.is_some() && !one {
@@ -199,8 +218,10 @@ impl Step {
         // 0 itself is a stable value where stability begins there; else it is decided like any other.
         set.at_zero = set.intervals.first().is_some_and(|first| first.from.upper() == 0.0)
             || self.with(parameter, &Rational::zero()).is_ok_and(|at_zero| {
-                decide_step_at(&at_zero, &plan.growth) == Ok(PointVerdict::Stable)
+                decide_step_while(&at_zero, &plan.growth, &plan.interest)
+                    == Ok(PointVerdict::Stable)
             });
+        plan.goes_on()?;
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
         let set = if plan.growth.is_zero() { set.with_ends(self, parameter)? } else { set };
         Ok(set.of_step(self))
@@ -340,9 +361,18 @@ fn gain_margin(
 /// # Errors
 /// When a parameter has no value.
 pub fn decide_step_at(step: &Step, growth: &Rational) -> Result<PointVerdict<Wave>, SchemeError> {
+    decide_step_while(step, growth, &Interest::default())
+}
+
+/// [`decide_step_at`], undecided where nobody wants to know any longer.
+fn decide_step_while(
+    step: &Step,
+    growth: &Rational,
+    interest: &Interest,
+) -> Result<PointVerdict<Wave>, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
-    Ok(DemandsAt::new(&step.inequalities_in(None, growth)?).decide())
+    Ok(DemandsAt::new(&step.inequalities_in(None, growth)?).decide_while(interest))
 }

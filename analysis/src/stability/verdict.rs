@@ -100,7 +100,7 @@ impl Check {
 /// ```
 ///
 /// # Errors
-/// When the parameter does not occur, another has no value, or the step cannot be solved for any wave at the value.
+/// When the parameter does not occur, another has no value, the step cannot be solved for any wave at the value, or the plan's interest is lost.
 pub fn check(
     step: &Step,
     parameter: &str,
@@ -127,8 +127,9 @@ pub fn check(
         // No boxes would be needed, but whoever allows so few wants little work, and no more said of a value than of the set.
         PointVerdict::Undecided
     } else {
-        demands.decide()
+        demands.decide_while(&plan.interest)
     };
+    plan.goes_on()?;
     let growth = growth_under(&at_value, &demands, &decided)?;
     let multiplicity = match decided {
         PointVerdict::Stable => multiplicity_among(&at_value, stable_set.limit().critical_wave())?,
@@ -140,7 +141,7 @@ pub fn check(
         PointVerdict::Unstable(_) => Verdict::Unstable,
         PointVerdict::Stable => {
             let near = || match &asked {
-                Demands::OnTorus(demands) => demands.are_met_about(value, plan.budget),
+                Demands::OnTorus(demands) => demands.are_met_about(value, &plan),
                 _ => strict,
             };
             match multiplicity.growing.is_none() && is_inside(&stable_set, value, near) {
@@ -149,6 +150,7 @@ pub fn check(
             }
         }
     };
+    plan.goes_on()?;
     let grows = matches!(verdict, Verdict::WeaklyUnstable | Verdict::Unstable);
     Ok(Check {
         verdict,
