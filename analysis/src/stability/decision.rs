@@ -163,11 +163,11 @@ impl Step {
         let mut plan = SearchPlan { first_only: true, ..plan.clone() };
         let mut limits: Vec<Limit> = Vec::with_capacity(growths.len());
         for growth in growths {
+            plan = plan.growing(growth.clone());
             let demands = match &series {
                 Some(series) => Demands::All(vec![Inequality::of_gain(series.growing(growth))]),
-                None => self.inequalities(parameter, growth)?,
+                None => self.inequalities_while(parameter, &plan)?,
             };
-            plan = plan.growing(growth.clone());
             let limit = self.stable_set_under(parameter, &demands, &plan)?.limit();
             plan = plan.knowing(&limit);
             limits.push(limit);
@@ -188,7 +188,7 @@ impl Step {
                 return self.stable_set(parameter, &plan.clone().knowing(&strict));
             }
         }
-        self.stable_set_under(parameter, &self.inequalities(parameter, &plan.growth)?, plan)
+        self.stable_set_under(parameter, &self.inequalities_while(parameter, plan)?, plan)
     }
 
     /// [`stable_set`](Self::stable_set) with what is asked for known.
@@ -232,7 +232,16 @@ impl Step {
     /// # Errors
     /// As [`limit`](Self::limit).
     pub fn inequalities(&self, parameter: &str, growth: &Rational) -> Result<Demands, SchemeError> {
-        self.inequalities_in(Some(self.sought(parameter)?), growth)
+        self.inequalities_while(parameter, &SearchPlan::default().growing(growth.clone()))
+    }
+
+    /// [`inequalities`](Self::inequalities) for a plan, as long as they are wanted.
+    pub(crate) fn inequalities_while(
+        &self,
+        parameter: &str,
+        plan: &SearchPlan,
+    ) -> Result<Demands, SchemeError> {
+        self.inequalities_in(Some(self.sought(parameter)?), &plan.growth, &plan.interest)
     }
 
     /// The only parameter without a value.
@@ -247,10 +256,12 @@ impl Step {
         &self,
         variable: Option<Variable>,
         growth: &Rational,
+        interest: &Interest,
     ) -> Result<Demands, SchemeError> {
         let characteristic = self.characteristic()?;
         if self.dimension != 1 {
-            return Ok(self.demands_on_torus(&characteristic, variable, growth));
+            let demands = self.demands_on_torus(&characteristic, variable, growth, interest);
+            return if interest.is_lost() { Err(SchemeError::Cancelled) } else { Ok(demands) };
         }
         if let Some(margin) = gain_margin(&characteristic, self, variable, growth) {
             return Ok(Demands::All(vec![Inequality::of_gain(margin)]));
@@ -269,7 +280,7 @@ impl Step {
         if inequalities.iter().any(vanishes) && self.names.letters().next().is_some() {
             // What vanishes for these values of the letters only is not seen in letters.
             if let Some(expanded) = self.expanded() {
-                return expanded.inequalities_in(variable, growth);
+                return expanded.inequalities_in(variable, growth, interest);
             }
         }
         Ok(Demands::All(inequalities))
@@ -281,6 +292,7 @@ impl Step {
         characteristic: &Laurent,
         variable: Option<Variable>,
         growth: &Rational,
+        interest: &Interest,
     ) -> Demands {
         let requirements = match squared_gain(characteristic, self, growth) {
             Some(gain) => vec![Requirement {
@@ -300,7 +312,7 @@ impl Step {
                 conditions.requirements
             }
         };
-        match TorusDemands::new(&requirements, self.dimension, variable) {
+        match TorusDemands::new(&requirements, self.dimension, variable, interest) {
             Some(demands) => Demands::OnTorus(demands),
             None => Demands::Unknown,
         }
@@ -374,5 +386,5 @@ fn decide_step_while(
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
-    Ok(DemandsAt::new(&step.inequalities_in(None, growth)?).decide_while(interest))
+    Ok(DemandsAt::new(&step.inequalities_in(None, growth, interest)?).decide_while(interest))
 }

@@ -111,7 +111,7 @@ pub fn check(
     step.refuse_singular(parameter, value)?;
     let range = plan.max.clone().max(value * integer(4));
     let plan = plan.clone().up_to(range).growing(Rational::zero());
-    let asked = step.inequalities(parameter, &Rational::zero())?;
+    let asked = step.inequalities_while(parameter, &plan)?;
     let stable_set = step.stable_set_under(parameter, &asked, &plan)?;
     let monotone_set = step.monotone_set(parameter, &plan)?;
     let at_value = at_value.expanded().unwrap_or(at_value);
@@ -121,7 +121,7 @@ pub fn check(
     let strict = of_parameter.as_ref().is_some_and(DemandsAt::are_strict);
     let demands = match of_parameter {
         Some(demands) => demands,
-        None => DemandsAt::new(&at_value.inequalities_in(None, &Rational::zero())?),
+        None => DemandsAt::new(&at_value.inequalities_in(None, &plan.growth, &plan.interest)?),
     };
     let decided = if plan.budget < LEAST_BUDGET && !stable_set.undecided.is_empty() {
         // No boxes would be needed, but whoever allows so few wants little work, and no more said of a value than of the set.

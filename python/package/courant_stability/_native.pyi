@@ -1,9 +1,11 @@
 """The native half. Nothing here is public: it may change with every version."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, final
 
 import numpy as np
+
+__all__: list[str]
 
 EVIDENCE: list[str]
 CAUSES: list[str]
@@ -11,6 +13,7 @@ CAUSES: list[str]
 _Report = Callable[[int, int], object] | None
 _Column = np.ndarray | Sequence[str]
 
+@final
 class Subject:
     def __new__(
         cls,
@@ -34,6 +37,7 @@ class Subject:
     parameter: str
     symbol: str
 
+@final
 class Probe:
     def __new__(
         cls,

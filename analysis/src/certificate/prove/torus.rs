@@ -49,7 +49,8 @@ pub(super) fn certificates(
         square: Laurent::integer(1),
     };
     let requirements: Vec<Requirement> = conditions.iter().map(requirement).collect();
-    let demands = TorusDemands::new(&requirements, chi.dimension, Some(Variable(PARAMETER)));
+    let demands =
+        TorusDemands::new(&requirements, chi.dimension, Some(Variable(PARAMETER)), &plan.interest);
     let demands = demands.ok_or(CertificationError::NotWritten("a condition is not real"))?;
     let found = stretches_on_torus(&demands, plan);
     let as_found = |(own, known): (&StableStretch, &StableInterval)| {

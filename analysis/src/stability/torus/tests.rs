@@ -19,7 +19,8 @@ fn both_roads_agree_in_one_dimension() {
         }
         // As if its line were a torus.
         let variable = step.names().parameter(parameter);
-        let demands = step.demands_on_torus(&step.characteristic().unwrap(), variable, &integer(0));
+        let (chi, always) = (step.characteristic().unwrap(), Interest::default());
+        let demands = step.demands_on_torus(&chi, variable, &integer(0), &always);
         let Demands::OnTorus(demands) = demands else { continue };
         let plan = SearchPlan::default().up_to(integer(20));
         let known = step.stable_set(parameter, &plan).unwrap();
