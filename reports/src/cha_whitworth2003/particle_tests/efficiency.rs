@@ -1,11 +1,11 @@
 //! Work against error: the shock tube with more and more particles.
 
 use super::runs::{Plan, Runs, every_method, scene};
-use super::{Detail, text};
+use super::text;
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
-use crate::gas_run::method_title;
 use crate::number::significant;
 use crate::page::Item;
+use crate::report::Detail;
 use crate::{cells, words};
 use courant_simulation::particles::{MethodOptions, ParticleMethod};
 use courant_simulation::scene::Scene;
@@ -51,7 +51,7 @@ pub(super) fn items(runs: &Runs, detail: Detail) -> [Item; 2] {
             curve.extend(error.map(|error| (pairs as f64, error)));
             before = error;
         }
-        let (color, label) = (Color::qualitative(i), method_title(method.name()));
+        let (color, label) = (Color::qualitative(i), method.title());
         panel = panel
             .layer(Line::new(curve.clone()).color(color).dash(Dash::nth(i)).label(label))
             .layer(
