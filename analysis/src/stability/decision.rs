@@ -266,7 +266,10 @@ impl Step {
         if let Some(margin) = gain_margin(&characteristic, self, variable, growth) {
             return Ok(Demands::All(vec![Inequality::of_gain(margin)]));
         }
-        let conditions = Conditions::new(&characteristic, growth, &self.names);
+        let conditions = Conditions::while_wanted(&characteristic, growth, &self.names, interest);
+        if interest.is_lost() {
+            return Err(SchemeError::Cancelled);
+        }
         if conditions.nowhere {
             return Ok(Demands::Nowhere(1));
         }
@@ -302,7 +305,8 @@ impl Step {
                 square: Laurent::integer(1),
             }],
             None => {
-                let conditions = Conditions::new(characteristic, growth, &self.names);
+                let conditions =
+                    Conditions::while_wanted(characteristic, growth, &self.names, interest);
                 if conditions.nowhere {
                     return Demands::Nowhere(self.dimension);
                 }

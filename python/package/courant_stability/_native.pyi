@@ -5,7 +5,26 @@ from typing import Any, final
 
 import numpy as np
 
-__all__: list[str]
+__all__ = [
+    "CAUSES",
+    "EVIDENCE",
+    "Probe",
+    "Subject",
+    "certify",
+    "check",
+    "gain",
+    "gains",
+    "limits",
+    "monotone_set",
+    "multipliers",
+    "names",
+    "speeds",
+    "stable",
+    "stable_set",
+    "symbol",
+    "validate",
+    "verify",
+]
 
 EVIDENCE: list[str]
 CAUSES: list[str]
