@@ -196,14 +196,15 @@ fn a_factor_of_the_waves_alone_has_the_sign_that_it_has_for_all_of_them() {
             polynomial: factor * rest(),
             square: Laurent::integer(1),
         };
-        TorusInequality::new(&requirement, 2, Some(parameter), 1).unwrap()
+        TorusInequality::new(&requirement, 2, Some(parameter), 1, &Interest::default()).unwrap()
     };
     // The sign at parameters 0 and 2, for all waves.
     let signs = |one: &TorusInequality| {
         [0, 2].map(|value| {
             let at_value = |cell: &Cell| cell.with_parameter(&integer(value));
             let cells = one.cells.iter().map(at_value).collect();
-            match decide_on_torus(&[TorusInequality { cells, ..one.clone() }]) {
+            match decide_on_torus(&[TorusInequality { cells, ..one.clone() }], &Interest::default())
+            {
                 PointVerdict::Stable => '+',
                 PointVerdict::Unstable(_) => '-',
                 PointVerdict::Undecided => '?',
@@ -231,7 +232,8 @@ fn what_is_not_real_or_holds_another_name_has_no_cells() {
     let shift = |power: i16| Laurent::power_of(Variable::axis(0), power);
     let [parameter, other] = [0, 1].map(Variable::name);
     let count = |polynomial: &Laurent| {
-        piece::cells(polynomial, 2, Some(parameter), 1).map(|cells| cells.len())
+        piece::cells(polynomial, 2, Some(parameter), 1, &Interest::default())
+            .map(|cells| cells.len())
     };
     let real = shift(1) + shift(-1);
     assert_eq!(count(&Laurent::default()), Some(0));
