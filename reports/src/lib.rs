@@ -28,6 +28,7 @@ pub mod publish;
 pub mod record;
 pub mod run_record;
 pub mod stability_map;
+pub mod step_limit;
 pub mod step_map;
 pub mod subject;
 pub mod symbol;

@@ -1,18 +1,19 @@
-//! Scenes of gas dynamics in one dimension, as data: gas, domain, ends, initial state, end time, exact solution.
+//! Scenes as data: files of one format, the named ones in the tree and those of a user ([`AnyScene`]); and the scenes of gas
+//! dynamics in one dimension ([`Scene`]): gas, domain, ends, initial state, end time, exact solution.
 //!
-//! The named scenes are files in the format a user writes; one definition serves tests, benches, examples and
-//! reports, whatever the method.
+//! One definition serves tests, benches, examples and reports, whatever the method.
 
+mod any;
 mod exact;
 mod file;
 mod layer;
 mod mass_lattice;
 mod material;
-mod named;
 mod placement;
 mod quantity;
 mod simple_wave;
 
+pub use any::AnyScene;
 pub use exact::ExactSolution;
 pub use file::{InvalidFile, KEYS};
 pub use layer::{Flow, Layer};

@@ -1,25 +1,34 @@
 //! `courant run`: one scene, one method.
 
 mod advection;
+mod boxes;
 mod choices;
-mod clouds;
-mod fields;
-mod gas;
+mod methods;
 mod particle_options;
+mod plan;
+mod scene;
 
-use super::output::Format;
-use super::{Failure, Outcome, names, numbers};
+pub use methods::all as methods;
+
+use super::output::{Format, print, print_record, warnings};
+use super::progress::Bar;
+use super::{Failure, Outcome, complain, names, numbers};
 use clap::Args;
 use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::Kernel;
+use courant::reports::publish::OutputDirectory;
+use courant::reports::run_record::RunReport;
+use courant::reports::table::{Align, Table};
+use courant::simulation::scene::AnyScene;
+use plan::Plan;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct Arguments {
-    /// Scene: see `courant list scenes`.
+    /// Scene: see `courant list scenes`; or a file NAME.toml of your own.
     scene: String,
-    /// Method: see `courant list methods`; advection and gases have their own. Advection scenes take godunov-sph
-    /// if none is given, a scene from a file what the file says; for the others it is required.
+    /// Method: see `courant list methods`; advection and gases have their own. Without it the method is what the
+    /// file of the scene says (advection scenes: godunov-sph); where it says none it is required.
     #[arg(long)]
     method: Option<String>,
     /// Number of particles (default: the scene's own).
@@ -42,7 +51,7 @@ pub struct Arguments {
     #[command(flatten)]
     advection: advection::Options,
     #[command(flatten)]
-    fields: fields::Options,
+    boxes: boxes::Options,
     /// Directory for profile and figure.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
@@ -62,62 +71,65 @@ pub struct Entry {
     pub source: &'static str,
 }
 
-/// A family of scenes and the methods that run them.
-struct Family {
-    scenes: fn() -> Vec<Entry>,
-    methods: fn() -> Vec<Entry>,
-    run: fn(&Arguments) -> Result<Outcome, Failure>,
-}
-
-const FAMILIES: [Family; 4] = [advection::FAMILY, gas::FAMILY, fields::FAMILY, clouds::FAMILY];
-
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {
-    FAMILIES.iter().flat_map(|family| (family.scenes)()).collect()
-}
-
-/// Every method.
-pub fn methods() -> Vec<Entry> {
-    FAMILIES.iter().flat_map(|family| (family.methods)()).collect()
-}
-
-/// What to say of a method that does not run a scene: which scenes it runs, or what else it is, or which name is near.
-fn no_method(name: &str, scene: &str, accepted: &[&str]) -> Failure {
-    let names = |entries: Vec<Entry>| entries.into_iter().map(|entry| entry.name);
-    let other = FAMILIES.iter().find(|family| names((family.methods)()).any(|known| known == name));
-    let all = accepted.join(", ");
-    let problem = match other {
-        Some(family) => {
-            let scenes: Vec<&str> = names((family.scenes)()).collect();
-            format!("it does not run {scene} but {}; accepted: {all}", scenes.join(", "))
-        }
-        None => match names::elsewhere(name, None) {
-            Some(what) => format!("{what}, and runs no scene; accepted: {all}"),
-            None => names::unknown(&format!("method for {scene}"), name, accepted),
-        },
+    let own = Entry {
+        name: "FILE.toml",
+        description: "a scene of your own, in the format of these; a bad file is answered with the keys it needs",
+        source: "docs/scenes.md",
     };
-    Failure::Message(format!("--method {name}: {problem}"))
+    let entry = |scene: &'static AnyScene| Entry {
+        name: scene.name(),
+        description: scene.description(),
+        source: scene.source(),
+    };
+    AnyScene::all().iter().map(entry).chain([own]).collect()
+}
+
+/// A scene name as part of a file name.
+fn file_stem(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
+    name.chars().map(plain).collect()
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let family = FAMILIES
-        .iter()
-        .find(|family| (family.scenes)().iter().any(|scene| scene.name == arguments.scene))
-        .or(arguments.scene.ends_with(".toml").then_some(&gas::FAMILY));
-    match family {
-        Some(family) => {
-            if !advection::has_scene(&arguments.scene) {
-                arguments.advection.reject(&arguments.scene)?;
-            }
-            if !fields::has_scene(&arguments.scene) {
-                arguments.fields.reject(&arguments.scene)?;
-            }
-            (family.run)(arguments)
-        }
-        None => {
-            let scenes: Vec<&str> = scenes().iter().map(|scene| scene.name).collect();
-            let problem = names::unknown("scene", &arguments.scene, &scenes);
-            Err(Failure::Message(format!("SCENE {}: {problem}", arguments.scene)))
-        }
+    let plan = Plan::new(arguments, scene::load(arguments)?)?;
+    // Said before it starts: the user may stop it.
+    let beyond = plan.beyond_limit();
+    if let Some(warning) = &beyond {
+        complain(&format!("warning: {warning}\n"));
     }
+    let output = OutputDirectory::open(&arguments.out)?;
+    let (scene, method, end_time) = plan.names();
+    let bar = Bar::new(scene);
+    let report = plan.run(arguments, |time| bar.march(time, end_time))?;
+    bar.finish();
+    let RunReport { mut record, caption, mut files, figure } = report;
+    record.warnings.extend(beyond);
+    let json = serde_json::to_string_pretty(&record)
+        .map_err(|error| Failure::Message(error.to_string()))?;
+    files.push(("json", format!("{json}\n").into_bytes()));
+    match figure.map(|figure| figure.png().and_then(|png| Ok((png, figure.svg()?)))) {
+        Some(Ok((png, svg))) => files.extend([("png", png), ("svg", svg.into_bytes())]),
+        Some(Err(error)) if record.completed => return Err(error.into()),
+        // A state that is not finite has no picture; the table of it is still there.
+        Some(Err(_)) | None => {}
+    }
+    let stem = format!("{}_{method}", file_stem(scene));
+    let mut written = Vec::new();
+    for (end, bytes) in &files {
+        // A second table has a name before its ending.
+        let joint = if end.contains('.') { '_' } else { '.' };
+        written.push(output.write(&format!("{stem}{joint}{end}"), bytes)?.display().to_string());
+    }
+    let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Right)]);
+    for row in record.rows() {
+        table.push(row);
+    }
+    print_record("run", &record, &table, arguments.format)?;
+    if arguments.format == Format::Table {
+        print(&warnings(&record.warnings))?;
+        print(&format!("\n{}\n", written.join("\n")))?;
+    }
+    Ok(if record.completed { Outcome::Yes } else { Outcome::No })
 }

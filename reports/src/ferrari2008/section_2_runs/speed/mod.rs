@@ -9,7 +9,7 @@ use crate::paper_text::csv;
 use crate::{cells, words};
 use courant_analysis::exact::rational::{integer, ratio};
 use courant_simulation::advection::{
-    AdvectionRun, AdvectionScheme, Layout, Method, RunPlan, Scene, pareto_front, run,
+    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, Method, RunPlan, pareto_front, run,
 };
 use rayon::prelude::*;
 use std::time::Instant;
@@ -60,7 +60,7 @@ struct Point {
 
 /// All runs on one set of data.
 struct Test {
-    scene: Scene,
+    scene: AdvectionScene,
     points: Vec<Point>,
 }
 
@@ -111,9 +111,9 @@ fn sizes(detail: Detail) -> (&'static [usize], &'static [usize]) {
     }
 }
 
-fn point(scene: &Scene, choices: &[Choice], (choice, particles): (usize, usize)) -> Point {
+fn point(scene: &AdvectionScene, choices: &[Choice], (choice, particles): (usize, usize)) -> Point {
     let (scene, method) = (scene.clone(), choices[choice].method);
-    let plan = RunPlan { scene, method, particles, periods: 1.0, layout: Layout::Lattice };
+    let plan = RunPlan { scene, method, particles, layout: Layout::Lattice };
     let start = Instant::now();
     let run = run(&plan).expect("the numbers of the plan are in range");
     Point { choice, particles, run, seconds: start.elapsed().as_secs_f64() }
@@ -121,7 +121,7 @@ fn point(scene: &Scene, choices: &[Choice], (choice, particles): (usize, usize))
 
 /// Runs every choice on the small sizes, and on the large ones those that were worth it: the choices
 /// with a point on either front.
-fn measure(scene: Scene, choices: &[Choice], detail: Detail) -> Test {
+fn measure(scene: AdvectionScene, choices: &[Choice], detail: Detail) -> Test {
     let (small, large) = sizes(detail);
     let every = |sizes: &[usize], of: &[usize]| -> Vec<Point> {
         let plans: Vec<(usize, usize)> =
@@ -146,7 +146,7 @@ impl Test {
             if choices[point.choice].method.ratio < among.smallest_ratio() {
                 return (f64::NAN, f64::NAN);
             }
-            (point.run.interactions as f64, point.run.comparison.l1)
+            (point.run.run.counters.interactions as f64, point.run.comparison.l1)
         };
         self.points.iter().map(cost).collect()
     }
@@ -157,7 +157,7 @@ impl Test {
     }
 
     fn name(&self) -> &'static str {
-        if self.scene == Scene::Step { "step" } else { "smooth hump" }
+        if self.scene.name == "advection-step" { "step" } else { "smooth hump" }
     }
 
     /// Runs with larger errors than the data themselves, or with an error that is no number.
@@ -169,7 +169,10 @@ impl Test {
 
 pub(super) fn section(detail: Detail) -> Section {
     let choices = choices(detail);
-    let tests = [Scene::Gaussian, Scene::Step].map(|scene| measure(scene, &choices, detail));
+    let tests = ["advection-gaussian", "advection-step"].map(|name| {
+        let scene = AdvectionScene::named(name).expect("it is in the list");
+        measure(scene, &choices, detail)
+    });
     let (small, large) = sizes(detail);
     let mut items = vec![introduction(&tests, &choices)];
     for (test, name) in tests.iter().zip(["figure_speed_smooth", "figure_speed_jump"]) {
@@ -177,7 +180,7 @@ pub(super) fn section(detail: Detail) -> Section {
             "speed_caption",
             words![
                 "test" = test.name(),
-                "equation" = test.scene.source(),
+                "equation" = test.scene.source.as_str(),
                 "choices" = choices.len(),
                 "least" = small[0],
                 "small" = small[small.len() - 1],
@@ -261,8 +264,8 @@ fn data(test: &Test, choices: &[Choice]) -> Vec<u8> {
         let mut cells =
             cells![method.scheme, method.kernel.name(), method.ratio, share, run.courant_number];
         let seen = &run.comparison;
-        cells.extend(cells![point.particles, run.steps, seen.l1, seen.l2, seen.l_infinity]);
-        cells.extend(cells![run.interactions, front.contains(&index), point.seconds]);
+        cells.extend(cells![point.particles, run.run.steps, seen.l1, seen.l2, seen.l_infinity]);
+        cells.extend(cells![run.run.counters.interactions, front.contains(&index), point.seconds]);
         cells
     });
     let header = "scheme,kernel,ratio,share_of_limit,cfl,particles,steps,l1,l2,l_infinity,\
@@ -279,7 +282,8 @@ mod tests {
     fn large_sizes_are_run_for_choices_on_a_front_only() {
         let choices: Vec<Choice> =
             choices(Detail::Quick).into_iter().filter(|choice| choice.method.ratio < 2.5).collect();
-        let test = measure(Scene::Gaussian, &choices, Detail::Quick);
+        let scene = AdvectionScene::named("advection-gaussian").unwrap();
+        let test = measure(scene, &choices, Detail::Quick);
         let (small, large) = sizes(Detail::Quick);
         let at =
             |particles: usize| test.points.iter().filter(move |p| p.particles == particles).count();

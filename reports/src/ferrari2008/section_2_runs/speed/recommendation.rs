@@ -30,7 +30,7 @@ pub(super) fn table(tests: &[Test], choices: &[Choice]) -> Item {
                     Some(point) => cells![
                         describe(&choices[point.choice]),
                         point.particles,
-                        significant(point.run.interactions as f64, 3),
+                        significant(point.run.run.counters.interactions as f64, 3),
                         significant(point.run.comparison.l1, 3),
                         significant(1e3 * point.seconds, 2),
                     ],
