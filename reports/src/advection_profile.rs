@@ -2,7 +2,7 @@
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::number::{finite, significant};
-use crate::run_record::{BROKEN, ConservationRecord, RunRecord, RunReport};
+use crate::run_record::{BROKEN, ConservationRecord, RunRecord, RunReport, method_title};
 use courant_analysis::exact::rational::{Rational, to_text};
 use courant_simulation::advection::{AdvectionRun, Layout, RunPlan};
 use std::fmt::Write;
@@ -59,8 +59,8 @@ pub fn report(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun, seconds: 
     }
     record.set("interactions", result.run.counters.interactions);
     RunReport {
-        caption: format!("{}, {}", scene.name, scheme.name()),
-        files: vec![("csv", profile_csv(result).into_bytes())],
+        caption: format!("{}, {}", scene.name, method_title(scheme.name())),
+        files: vec![(".csv", profile_csv(result).into_bytes())],
         // Where values overflowed there is no profile to draw.
         figure: completed.then(|| profile_figure(plan, ratio, result)),
         record,

@@ -3,7 +3,7 @@
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
 use crate::gas_run::{describe_particles, eos};
 use crate::number::{finite, significant};
-use crate::run_record::{RunRecord, RunReport};
+use crate::run_record::{RunRecord, RunReport, method_title};
 use courant_simulation::gravity::{Cloud, CloudRun, Energies, ExpansionWave, Snapshot};
 use courant_simulation::method::Method;
 use courant_simulation::particles::MethodOptions;
@@ -173,10 +173,10 @@ pub fn report(
         method.to_uppercase(),
         significant(run.time, 4)
     );
-    let end = result.snapshots.last().map(|end| ("csv", cloud_csv(cloud, end)));
-    let core = (!result.core.is_empty()).then(|| ("core.csv", core_csv(result)));
+    let end = result.snapshots.last().map(|end| (".csv", cloud_csv(cloud, end)));
+    let core = (!result.core.is_empty()).then(|| ("_core.csv", core_csv(result)));
     RunReport {
-        caption: format!("{} ({}), {method}", cloud.name, cloud.source),
+        caption: format!("{} ({}), {}", cloud.name, cloud.source, method_title(method)),
         files: end.into_iter().chain(core).collect(),
         figure: cloud_figure(cloud, result).map(|figure| figure.title(title)),
         record,

@@ -3,7 +3,7 @@
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
 use crate::gas_run::{describe_particles, eos};
 use crate::number::{finite, significant};
-use crate::run_record::{NO_ENERGY, RunRecord, RunReport};
+use crate::run_record::{NO_ENERGY, RunRecord, RunReport, method_title};
 use courant_simulation::field::{FieldFlow, FieldProfile, FieldRun, FieldScene};
 use courant_simulation::method::Method;
 use courant_simulation::particles::MethodOptions;
@@ -118,8 +118,8 @@ pub fn report(
         significant(run.time, 4)
     );
     RunReport {
-        caption: format!("{} ({}), {method}", scene.name, scene.source),
-        files: vec![("csv", profile_csv(&run.profile)), ("measures.csv", history_csv(result))],
+        caption: format!("{} ({}), {}", scene.name, scene.source, method_title(method)),
+        files: vec![(".csv", profile_csv(&run.profile)), ("_measures.csv", history_csv(result))],
         figure: Some(field_figure(scene, result).title(title)),
         record,
     }

@@ -2,31 +2,13 @@
 
 use crate::number::{finite, significant};
 use crate::particle_profile::{profile_csv, profile_figure};
-use crate::run_record::{ErrorNorms, NO_ENERGY, RunRecord, RunReport};
+use crate::run_record::{ErrorNorms, NO_ENERGY, RunRecord, RunReport, method_title};
 use courant_simulation::comparison::Comparison;
 use courant_simulation::method::Method;
 use courant_simulation::particles::MethodOptions;
 use courant_simulation::riemann::Wave;
 use courant_simulation::run::{Counters, Run};
 use courant_simulation::scene::{ExactSolution, Material, Scene};
-
-/// The name of a method for titles, as in the captions of Ferrari et al. 2008.
-pub fn method_title(method: &str) -> &'static str {
-    match method {
-        "finite-volume" => "First-order Godunov finite volumes",
-        "sph-adke" => "Standard SPH with adaptive kernel estimation",
-        "lagrangian-exact" => "Godunov-type SPH, exact Riemann flux",
-        "lagrangian-rusanov" => "Godunov-type SPH, Rusanov flux",
-        "lagrangian-roe" => "Godunov-type SPH, modified Roe flux",
-        "gph1" => "GPH case 1",
-        "gph2" => "GPH case 2",
-        "gph3" => "GPH case 3",
-        "gph4" => "GPH case 4",
-        "sph1" => "SPH 1",
-        "sph2" => "SPH 2",
-        _ => "Run",
-    }
-}
 
 /// The method with its settings, for captions.
 pub fn settings(method: &Method) -> String {
@@ -209,18 +191,17 @@ pub fn report(
     {
         record.set("density_overshoot", finite(comparison.overshoot.density));
         for wave in &comparison.waves {
-            let name = format!("{:?}_error", wave.kind);
-            record.set(&snake(&name), wave.error().and_then(finite));
+            let kind = format!("{:?}", wave.kind).to_lowercase();
+            // From left to right.
+            let second = record.more.contains_key(&format!("{kind}_error"));
+            let name = format!("{kind}_error{}", if second { "_2" } else { "" });
+            record.set(&name, wave.error().and_then(finite));
         }
     }
     let exact = exact_holds(scene, run.time).is_ok();
     let outcome = if run.completed() { "" } else { ": failed" };
-    let title = format!(
-        "{}: {}, t = {}{outcome}",
-        scene.name,
-        method_title(method.name()),
-        significant(run.time, 4)
-    );
+    let title =
+        format!("{}: {}, t = {}{outcome}", scene.name, method.title(), significant(run.time, 4));
     RunReport {
         caption: format!(
             "{} ({}), {}: {settings}",
@@ -228,22 +209,10 @@ pub fn report(
             scene.source,
             method_title(method.name())
         ),
-        files: vec![("csv", profile_csv(scene, run, exact))],
+        files: vec![(".csv", profile_csv(scene, run, exact))],
         figure: Some(profile_figure(scene, run, exact).title(title)),
         record,
     }
-}
-
-/// `LeftShock` as `left_shock`.
-fn snake(name: &str) -> String {
-    let mut text = String::new();
-    for (i, letter) in name.chars().enumerate() {
-        if i > 0 && letter.is_uppercase() {
-            text.push('_');
-        }
-        text.extend(letter.to_lowercase());
-    }
-    text
 }
 
 /// Whether the exact solution of a Riemann problem is one state all over the window where a run is compared.

@@ -2,6 +2,8 @@
 
 use crate::figure::Figure;
 use crate::number::{finite, significant};
+use courant_simulation::advection::AdvectionScheme;
+use courant_simulation::method::Method;
 use courant_simulation::run::{Conservation, Run};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -207,6 +209,15 @@ impl RunRecord {
     }
 }
 
+/// The name of a method for people, and the one to type.
+pub fn method_title(name: &str) -> String {
+    let title = Method::named(name).map(|method| method.title());
+    match title.or(name.parse().ok().map(AdvectionScheme::title)) {
+        Some(title) => format!("{title} ({name})"),
+        None => name.into(),
+    }
+}
+
 /// A run for its user: the record, and what is written beside it.
 #[derive(Debug)]
 pub struct RunReport {
@@ -214,7 +225,7 @@ pub struct RunReport {
     pub record: RunRecord,
     /// Scene, method and settings in words.
     pub caption: String,
-    /// The ends of file names, and what is in the files.
+    /// The ends of file names, with the dot, and what is in the files.
     pub files: Vec<(&'static str, Vec<u8>)>,
     /// The picture, if there is one to draw.
     pub figure: Option<Figure>,

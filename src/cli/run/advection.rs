@@ -1,6 +1,8 @@
 //! Options of the advection scenes, and what they make of one.
 
 use super::Arguments;
+use super::choices::one;
+use crate::cli::numbers::{Names, Numbers};
 use crate::cli::{Failure, numbers};
 use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
@@ -11,28 +13,28 @@ use courant::simulation::advection::{
 use courant::simulation::scene::Quantity;
 
 /// Options of the advection scenes alone.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct Options {
     /// Advection: end time in periods of the unit interval, the same as --time (default: 1).
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::running_positive, conflicts_with = "time")]
-    periods: Option<Rational>,
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = numbers::running_positive, conflicts_with = "time")]
+    pub periods: Option<Numbers>,
     /// Advection: where the particles are and which code steps them (default: uniform).
-    #[arg(long, value_enum)]
-    layout: Option<LayoutName>,
+    #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
+    pub layout: Vec<LayoutName>,
     /// Advection, disordered layout: the largest displacement in spacings, below 1/2 (default: 1/10).
-    #[arg(long, allow_hyphen_values = true, value_parser = disorder)]
-    disorder: Option<Rational>,
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = disorders)]
+    pub disorder: Option<Numbers>,
     /// Advection: seed of the displacements and of the random phases (default: 0).
-    #[arg(long, value_parser = numbers::seed)]
-    seed: Option<u64>,
+    #[arg(long, value_name = "LIST", value_parser = |text: &str| numbers::names(text, numbers::seed))]
+    pub seed: Option<Names<u64>>,
     /// Advection, scene advection-waves: the highest wave number, at most half the particles (default: 8).
-    #[arg(long, value_parser = wave_number)]
-    waves: Option<usize>,
+    #[arg(long, value_name = "LIST", value_parser = wave_numbers)]
+    pub waves: Option<Names<usize>>,
 }
 
 /// Layouts by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum LayoutName {
+pub enum LayoutName {
     /// Equal spacing, stepped by the stencil.
     Lattice,
     /// Equal spacing, neighbours found among the particles.
@@ -46,7 +48,7 @@ impl Options {
     pub fn given(&self) -> [(&'static str, bool); 5] {
         [
             ("--periods", self.periods.is_some()),
-            ("--layout", self.layout.is_some()),
+            ("--layout", !self.layout.is_empty()),
             ("--disorder", self.disorder.is_some()),
             ("--seed", self.seed.is_some()),
             ("--waves", self.waves.is_some()),
@@ -54,18 +56,20 @@ impl Options {
     }
 }
 
-fn disorder(text: &str) -> Result<Rational, String> {
-    let value = numbers::running_non_negative(text)?;
-    if to_f64(&value) < 0.5 { Ok(value) } else { Err("it must be at least 0 and below 1/2".into()) }
+fn disorders(text: &str) -> Result<Numbers, String> {
+    let below_half = |value: &Rational| to_f64(value) < 0.5;
+    let numbers = numbers::running_non_negative(text)?;
+    let fits = numbers.0.iter().all(below_half);
+    if fits { Ok(numbers) } else { Err("it must be at least 0 and below 1/2".into()) }
 }
 
-fn wave_number(text: &str) -> Result<usize, String> {
-    numbers::count(text, 1, 100_000)
+fn wave_numbers(text: &str) -> Result<Names<usize>, String> {
+    numbers::counts(text, 1, 100_000)
 }
 
 /// A plan that cannot be run, by its options.
 pub fn invalid(error: &PlanError, arguments: &Arguments) -> Failure {
-    let options = match (error, &arguments.time, &arguments.advection.periods) {
+    let options = match (error, arguments.time(), one(&arguments.advection.periods)) {
         (PlanError::Steps(_), Some(time), _) => format!("--time {}: ", to_text(time)),
         (PlanError::Steps(_), _, Some(periods)) => format!("--periods {}: ", to_text(periods)),
         _ => String::new(),
@@ -83,21 +87,22 @@ pub fn plan(
     let scheme = method.parse().expect("the name is one of these schemes");
     arguments.choices.only(&[], "an advection scheme")?;
     let mut scene = scene.clone();
-    if let Some(periods) = &options.periods {
+    if let Some(periods) = one(&options.periods) {
         scene.end_time = to_f64(periods) * scene.length() / scene.velocity.abs();
     }
-    let particles = arguments.particles.unwrap_or(scene.particles);
+    let particles = arguments.particles().unwrap_or(scene.particles);
     let noisy = put_waves(options, &mut scene, particles)?;
     let not_used = |option: &str, value: String, reason: &str| {
         Err(Failure::Message(format!("{option} {value}: {reason}")))
     };
-    let layout = options.layout.unwrap_or(LayoutName::Uniform);
+    let seed = one(&options.seed).copied();
+    let layout = options.layout.first().copied().unwrap_or(LayoutName::Uniform);
     if layout != LayoutName::Disordered {
-        if let Some(disorder) = &options.disorder {
+        if let Some(disorder) = one(&options.disorder) {
             let reason = "it needs --layout disordered";
             return not_used("--disorder", disorder.to_string(), reason);
         }
-        if let (Some(seed), false) = (options.seed, noisy) {
+        if let (Some(seed), false) = (seed, noisy) {
             let reason = "nothing is random here; it needs --layout disordered or advection-waves";
             return not_used("--seed", seed.to_string(), reason);
         }
@@ -106,8 +111,8 @@ pub fn plan(
         LayoutName::Lattice => Layout::Lattice,
         LayoutName::Uniform => Layout::Uniform,
         LayoutName::Disordered => Layout::Disordered {
-            disorder: options.disorder.as_ref().map_or(0.1, to_f64),
-            seed: options.seed.unwrap_or(0),
+            disorder: one(&options.disorder).map_or(0.1, to_f64),
+            seed: seed.unwrap_or(0),
         },
     };
     // Euler-SPH is stable at no Courant number; with small steps a period can still be looked at.
@@ -115,12 +120,12 @@ pub fn plan(
         AdvectionScheme::EulerSph => 0.1,
         AdvectionScheme::LaxWendroffSph | AdvectionScheme::GodunovSph => 1.0,
     };
-    let ratio = arguments.ratio.clone().unwrap_or_else(|| integer(2));
+    let ratio = arguments.ratio().cloned().unwrap_or_else(|| integer(2));
     let method = Method {
         scheme,
-        kernel: arguments.kernel.unwrap_or(Kernel::CubicSpline),
+        kernel: arguments.kernel().unwrap_or(Kernel::CubicSpline),
         ratio: to_f64(&ratio),
-        courant_number: arguments.cfl.as_ref().map_or(default_courant, to_f64),
+        courant_number: arguments.cfl().map_or(default_courant, to_f64),
     };
     Ok((RunPlan { scene, method, particles, layout }, ratio))
 }
@@ -138,7 +143,7 @@ fn put_waves(
     for piece in &mut scene.profile {
         let Quantity::Noise { waves, seed, .. } = &mut piece.value else { continue };
         noisy = true;
-        match options.waves {
+        match one(&options.waves).copied() {
             Some(asked) if asked > shortest => {
                 let reason = format!("{particles} particles carry waves up to number {shortest}");
                 return refuse(asked, reason);
@@ -146,9 +151,9 @@ fn put_waves(
             Some(asked) => *waves = asked,
             None => *waves = shortest.min(*waves),
         }
-        *seed = options.seed.unwrap_or(*seed);
+        *seed = one(&options.seed).copied().unwrap_or(*seed);
     }
-    match options.waves {
+    match one(&options.waves).copied() {
         Some(waves) if !noisy => {
             refuse(waves, "only a scene with noise, advection-waves, has waves to count".into())
         }

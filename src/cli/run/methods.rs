@@ -21,16 +21,16 @@ pub fn of(scene: &AnyScene) -> Vec<&'static str> {
 /// The name of the method that was asked for, or the customary one of the scene.
 pub fn chosen<'a>(arguments: &'a Arguments, scene: &'a AnyScene) -> Result<&'a str, Failure> {
     let accepted = of(scene);
-    let Some(name) = arguments.method.as_deref().or(scene.method()) else {
+    let Some(name) = arguments.method().or(scene.method()) else {
         return Err(Failure::Message(format!(
             "--method is required for {}; accepted: {}",
-            arguments.scene,
+            arguments.scene(),
             accepted.join(", ")
         )));
     };
     match accepted.contains(&name) {
         true => Ok(name),
-        false => Err(not_for(name, &arguments.scene, &accepted)),
+        false => Err(not_for(name, arguments.scene(), &accepted)),
     }
 }
 

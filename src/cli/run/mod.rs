@@ -1,7 +1,9 @@
-//! `courant run`: one scene, one method.
+//! `courant run`: scenes with methods, one run for each combination of the lists.
 
 mod advection;
+mod answer;
 mod boxes;
+mod cases;
 mod choices;
 mod methods;
 mod particle_options;
@@ -10,54 +12,88 @@ mod scene;
 
 pub use methods::all as methods;
 
-use super::output::{Format, print, print_record, warnings};
+use super::numbers::{Names, Numbers};
+use super::output::Format;
 use super::progress::Bar;
 use super::{Failure, Outcome, complain, names, numbers};
+use answer::Answer;
+use choices::one;
 use clap::Args;
 use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::Kernel;
 use courant::reports::publish::OutputDirectory;
-use courant::reports::run_record::RunReport;
-use courant::reports::table::{Align, Table};
 use courant::simulation::scene::AnyScene;
 use plan::Plan;
 use std::path::PathBuf;
 
-#[derive(Debug, Args)]
+/// All options but `--out` and `--format` take lists; in a case each has one value.
+#[derive(Debug, Clone, Args)]
 pub struct Arguments {
-    /// Scene: see `courant list scenes`; or a file NAME.toml of your own.
-    scene: String,
-    /// Method: see `courant list methods`; advection and gases have their own. Without it the method is what the
-    /// file of the scene says (advection scenes: godunov-sph); where it says none it is required.
-    #[arg(long)]
-    method: Option<String>,
-    /// Number of particles (default: the scene's own).
-    #[arg(long, value_name = "N", value_parser = numbers::particles)]
-    particles: Option<usize>,
-    /// Kernel: see `courant list kernels` (default: the method's own).
-    #[arg(long, value_parser = names::kernel)]
-    kernel: Option<Kernel>,
-    /// Smoothing length over particle spacing (default: the method's own).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio)]
-    ratio: Option<Rational>,
-    /// Courant number (default: the method's own).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::running_courant_number)]
-    cfl: Option<Rational>,
-    /// End time (default: the scene's own).
-    #[arg(long, allow_hyphen_values = true, value_parser = numbers::running_positive)]
-    time: Option<Rational>,
+    /// Scenes: see `courant list scenes`; or files NAME.toml of your own.
+    #[arg(num_args = 1, required = true, value_delimiter = ',')]
+    scene: Vec<String>,
+    /// Methods: see `courant list methods`; advection and gases have their own. Without it the method is what the file
+    /// of the scene says (advection scenes: godunov-sph); where it says none it is required.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    method: Vec<String>,
+    /// Numbers of particles (default: the scene's own).
+    #[arg(long, value_name = "LIST", value_parser = numbers::particles)]
+    particles: Option<Names<usize>>,
+    /// Kernels: see `courant list kernels` (default: the method's own).
+    #[arg(long, value_name = "NAMES", value_parser = |text: &str| numbers::names(text, names::kernel))]
+    kernel: Option<Names<Kernel>>,
+    /// Smoothing lengths over particle spacing (default: the method's own).
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = numbers::ratio_list)]
+    ratio: Option<Numbers>,
+    /// Courant numbers (default: the method's own).
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = numbers::running_courant_numbers)]
+    cfl: Option<Numbers>,
+    /// End times (default: the scene's own).
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = numbers::running_positive)]
+    time: Option<Numbers>,
     #[command(flatten)]
     choices: choices::Choices,
     #[command(flatten)]
     advection: advection::Options,
     #[command(flatten)]
     boxes: boxes::Options,
-    /// Directory for profile and figure.
+    /// Directory for profiles and figures.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
     /// Format of the output.
     #[arg(long, value_enum, default_value = "table")]
     format: Format,
+}
+
+/// The values of a case.
+impl Arguments {
+    fn scene(&self) -> &str {
+        &self.scene[0]
+    }
+
+    fn method(&self) -> Option<&str> {
+        self.method.first().map(String::as_str)
+    }
+
+    fn particles(&self) -> Option<usize> {
+        one(&self.particles).copied()
+    }
+
+    fn kernel(&self) -> Option<Kernel> {
+        one(&self.kernel).copied()
+    }
+
+    fn ratio(&self) -> Option<&Rational> {
+        one(&self.ratio)
+    }
+
+    fn cfl(&self) -> Option<&Rational> {
+        one(&self.cfl)
+    }
+
+    fn time(&self) -> Option<&Rational> {
+        one(&self.time)
+    }
 }
 
 /// A scene or method, for listing.
@@ -86,50 +122,35 @@ pub fn scenes() -> Vec<Entry> {
     AnyScene::all().iter().map(entry).chain([own]).collect()
 }
 
-/// A scene name as part of a file name.
-fn file_stem(name: &str) -> String {
-    let plain = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
-    name.chars().map(plain).collect()
-}
-
-pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let plan = Plan::new(arguments, scene::load(arguments)?)?;
+/// Runs one case.
+fn answer(arguments: &Arguments, plan: &Plan) -> Result<Answer, Failure> {
     // Said before it starts: the user may stop it.
     let beyond = plan.beyond_limit();
     if let Some(warning) = &beyond {
         complain(&format!("warning: {warning}\n"));
     }
-    let output = OutputDirectory::open(&arguments.out)?;
-    let (scene, method, end_time) = plan.names();
+    let (scene, end_time) = plan.scene();
     let bar = Bar::new(scene);
-    let report = plan.run(arguments, |time| bar.march(time, end_time))?;
+    let mut report = plan.run(arguments, |time| bar.march(time, end_time))?;
     bar.finish();
-    let RunReport { mut record, caption, mut files, figure } = report;
-    record.warnings.extend(beyond);
-    let json = serde_json::to_string_pretty(&record)
-        .map_err(|error| Failure::Message(error.to_string()))?;
-    files.push(("json", format!("{json}\n").into_bytes()));
-    match figure.map(|figure| figure.png().and_then(|png| Ok((png, figure.svg()?)))) {
-        Some(Ok((png, svg))) => files.extend([("png", png), ("svg", svg.into_bytes())]),
-        Some(Err(error)) if record.completed => return Err(error.into()),
-        // A state that is not finite has no picture; the table of it is still there.
-        Some(Err(_)) | None => {}
+    report.record.warnings.extend(beyond);
+    Answer::new(report)
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let cases = cases::all(arguments)?;
+    // All are judged before one runs.
+    let plan = |case: &cases::Case| Plan::new(&case.arguments, scene::load(&case.arguments)?);
+    let plans: Vec<Plan> = cases.iter().map(plan).collect::<Result<_, _>>()?;
+    let output = OutputDirectory::open(&arguments.out)?;
+    let mut answers = Vec::new();
+    for (case, plan) in cases.iter().zip(plans) {
+        let mut answer = answer(&case.arguments, &plan)?;
+        answer.choices = case.choices.clone();
+        answer.write(&output)?;
+        answers.push(answer);
     }
-    let stem = format!("{}_{method}", file_stem(scene));
-    let mut written = Vec::new();
-    for (end, bytes) in &files {
-        // A second table has a name before its ending.
-        let joint = if end.contains('.') { '_' } else { '.' };
-        written.push(output.write(&format!("{stem}{joint}{end}"), bytes)?.display().to_string());
-    }
-    let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Right)]);
-    for row in record.rows() {
-        table.push(row);
-    }
-    print_record("run", &record, &table, arguments.format)?;
-    if arguments.format == Format::Table {
-        print(&warnings(&record.warnings))?;
-        print(&format!("\n{}\n", written.join("\n")))?;
-    }
-    Ok(if record.completed { Outcome::Yes } else { Outcome::No })
+    answer::show(&answers, arguments.format)?;
+    let completed = answers.iter().all(|answer| answer.record.completed);
+    Ok(if completed { Outcome::Yes } else { Outcome::No })
 }

@@ -43,7 +43,7 @@ impl Plan {
                 Ok(Self::Advection(plan, ratio))
             }
             AnyScene::Line(mut scene) => {
-                scene.particles = arguments.particles.unwrap_or(scene.particles);
+                scene.particles = arguments.particles().unwrap_or(scene.particles);
                 let method = on_a_line(arguments, &method)?;
                 method.check(&scene, scene.particles).map_err(|error| refused(&error))?;
                 Ok(Self::Line(scene, method))
@@ -69,15 +69,13 @@ impl Plan {
         }
     }
 
-    /// Scene and method, and when it ends.
-    pub fn names(&self) -> (&str, &str, f64) {
+    /// The name of the scene, and when it ends.
+    pub fn scene(&self) -> (&str, f64) {
         match self {
-            Self::Advection(plan, _) => {
-                (&plan.scene.name, plan.method.scheme.name(), plan.scene.end_time)
-            }
-            Self::Line(scene, method) => (&scene.name, method.name(), scene.end_time),
-            Self::Field(scene, options) => (&scene.name, options.method.name(), scene.end_time),
-            Self::Cloud(cloud, options) => (&cloud.name, options.method.name(), cloud.end_time),
+            Self::Advection(plan, _) => (&plan.scene.name, plan.scene.end_time),
+            Self::Line(scene, _) => (&scene.name, scene.end_time),
+            Self::Field(scene, _) => (&scene.name, scene.end_time),
+            Self::Cloud(cloud, _) => (&cloud.name, cloud.end_time),
         }
     }
 
@@ -97,7 +95,14 @@ impl Plan {
     ) -> Result<RunReport, Failure> {
         let start = Instant::now();
         let seconds = || start.elapsed().as_secs_f64();
-        let refused = |error: &InvalidOptions| invalid(error, arguments, self.names().1);
+        let refused = |error: &InvalidOptions| {
+            let method = match self {
+                Self::Advection(plan, _) => plan.method.scheme.name(),
+                Self::Line(_, method) => method.name(),
+                Self::Field(_, options) | Self::Cloud(_, options) => options.method.name(),
+            };
+            invalid(error, arguments, method)
+        };
         let ratio = |used| particle_options::ratio(arguments, used);
         match self {
             Self::Advection(plan, ratio) => {
@@ -139,7 +144,7 @@ fn refuse(arguments: &Arguments, not_advection: bool, not_box: bool) -> Result<(
     match advection.chain(boxes).find(|((_, given), _)| *given) {
         Some(((option, _), family)) => Err(Failure::Message(format!(
             "{option}: scene {} has no such option; it belongs to {family}",
-            arguments.scene
+            arguments.scene()
         ))),
         None => Ok(()),
     }
@@ -155,7 +160,7 @@ fn in_space(
     usual: usize,
     options: &MethodOptions,
 ) -> Result<usize, Failure> {
-    let particles = arguments.particles.unwrap_or(usual);
+    let particles = arguments.particles().unwrap_or(usual);
     let least = 100;
     let few = (particles < least).then_some(InvalidOptions::Particles { particles, least });
     few.map_or_else(|| options.check().map(|_| ()), Err)
@@ -175,7 +180,7 @@ fn on_a_line(arguments: &Arguments, name: &str) -> Result<Method, Failure> {
         Method::FiniteVolume(_) | Method::Lagrangian(_) => &[],
     };
     choices.only(has, name)?;
-    let cfl = arguments.cfl.as_ref().map(to_f64);
+    let cfl = arguments.cfl().map(to_f64);
     match &mut method {
         Method::FiniteVolume(options) => {
             let unused = |option: &str, value: &str| {
@@ -183,18 +188,18 @@ fn on_a_line(arguments: &Arguments, name: &str) -> Result<Method, Failure> {
                     "{option} {value}: `{name}` has no kernel; it takes --particles, --cfl and --time"
                 ))
             };
-            if let Some(kernel) = arguments.kernel {
+            if let Some(kernel) = arguments.kernel() {
                 return Err(unused("--kernel", kernel.name()));
             }
-            if let Some(ratio) = &arguments.ratio {
+            if let Some(ratio) = arguments.ratio() {
                 return Err(unused("--ratio", &to_text(ratio)));
             }
             options.cfl = cfl.unwrap_or(options.cfl);
         }
         Method::Lagrangian(options) => {
             options.cfl = cfl.unwrap_or(options.cfl);
-            options.kernel = arguments.kernel.unwrap_or(options.kernel);
-            options.ratio = arguments.ratio.as_ref().map_or(options.ratio, to_f64);
+            options.kernel = arguments.kernel().unwrap_or(options.kernel);
+            options.ratio = arguments.ratio().map_or(options.ratio, to_f64);
             if let Flux::ModifiedRoe(roe) = &mut options.flux {
                 *roe = choices.roe(*roe);
             }

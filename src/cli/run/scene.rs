@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// The scene, with the end time that was asked for.
 pub fn load(arguments: &Arguments) -> Result<AnyScene, Failure> {
-    let name = arguments.scene.as_str();
+    let name = arguments.scene();
     let mut scene = if name.ends_with(".toml") {
         read(name)?
     } else {
@@ -18,7 +18,7 @@ pub fn load(arguments: &Arguments) -> Result<AnyScene, Failure> {
         AnyScene::named(name)
             .ok_or_else(|| Failure::Message(format!("SCENE {name}: {}", problem())))?
     };
-    if let Some(time) = &arguments.time {
+    if let Some(time) = arguments.time() {
         scene.set_end_time(to_f64(time));
     }
     Ok(scene)
