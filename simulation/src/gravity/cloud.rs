@@ -3,10 +3,12 @@
 use super::expansion_wave::{ExpansionWave, Similarity};
 use super::sphere::Distribution;
 use crate::scene::Material;
+use serde::Deserialize;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What the flow is known to do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Known {
     /// [`ExpansionWave`](super::ExpansionWave), from the surface of the sink.
     ExpansionWave,
@@ -17,18 +19,6 @@ pub enum Known {
 }
 
 impl Known {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::ExpansionWave, Self::Static, Self::FreeFall];
-
-    /// The name used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ExpansionWave => "expansion-wave",
-            Self::Static => "static",
-            Self::FreeFall => "free-fall",
-        }
-    }
-
     /// What a cloud would have to be for this to be known of it, where it is not.
     pub fn demand(self, cloud: &Cloud) -> Option<String> {
         let near = |value: f64, wanted: f64| (value / wanted - 1.0).abs() < 1e-3;

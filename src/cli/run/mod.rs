@@ -125,7 +125,7 @@ pub fn scenes() -> Vec<Entry> {
 /// Runs one case.
 fn answer(arguments: &Arguments, plan: &Plan) -> Result<Answer, Failure> {
     // Said before it starts: the user may stop it.
-    let beyond = plan.beyond_limit();
+    let beyond = plan.beyond_limit(arguments);
     if let Some(warning) = &beyond {
         complain(&format!("warning: {warning}\n"));
     }

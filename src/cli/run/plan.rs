@@ -80,11 +80,14 @@ impl Plan {
     }
 
     /// What is said before it starts: a step beyond the proved limit.
-    pub fn beyond_limit(&self) -> Option<String> {
-        match self {
-            Self::Advection(plan, ratio) => step_limit::advection(plan, ratio),
-            Self::Line(..) | Self::Field(..) | Self::Cloud(..) => None,
-        }
+    pub fn beyond_limit(&self, arguments: &Arguments) -> Option<String> {
+        let (gas, method) = match self {
+            Self::Advection(plan, ratio) => return step_limit::advection(plan, ratio),
+            Self::Line(scene, method) => (scene.material, *method),
+            Self::Field(scene, options) => (scene.gas, Method::Particles(*options)),
+            Self::Cloud(cloud, options) => (cloud.material, Method::Particles(*options)),
+        };
+        step_limit::gas(gas, &method, arguments.ratio())
     }
 
     /// Runs it.

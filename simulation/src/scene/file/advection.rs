@@ -1,6 +1,6 @@
 //! An advected quantity, from its tables.
 
-use super::{Problem, SceneFile, positive};
+use super::{Problem, SceneFile};
 use crate::advection::{AdvectionScene, Piece};
 
 impl SceneFile {
@@ -48,7 +48,7 @@ impl SceneFile {
             domain,
             velocity,
             profile,
-            end_time: positive("end_time", &self.end_time)?,
+            end_time: self.end_time.0,
             particles: self.particles(200, 1)?,
             method: self.method(),
         })

@@ -1,6 +1,6 @@
 //! A sphere of gas, from its tables.
 
-use super::{Problem, SceneFile, positive};
+use super::{Positive, Problem, SceneFile};
 use crate::gravity::{Cloud, Distribution, Known};
 use crate::scene::Material;
 use serde::Deserialize;
@@ -9,14 +9,14 @@ use toml::Spanned;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SphereTable {
-    mass: Spanned<f64>,
-    radius: Spanned<f64>,
+    mass: Positive,
+    radius: Positive,
     /// `ρ ∝ r^(−n)`.
     exponent: Option<Spanned<f64>>,
     /// `ξ` of Bonnor and Ebert.
-    extent: Option<Spanned<f64>>,
+    extent: Option<Positive>,
     /// Specific internal energy of an ideal gas.
-    energy: Option<Spanned<f64>>,
+    energy: Option<Spanned<Positive>>,
     /// Whether the particles are evened out in the equilibrium the sphere is in.
     #[serde(default)]
     equilibrium: bool,
@@ -25,19 +25,19 @@ pub(super) struct SphereTable {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct GravityTable {
-    constant: Spanned<f64>,
+    constant: Positive,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SinkTable {
-    radius: Spanned<f64>,
+    radius: Positive,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct OutsideTable {
-    pressure: Spanned<f64>,
+    pressure: Positive,
 }
 
 impl SceneFile {
@@ -47,7 +47,7 @@ impl SceneFile {
         let material = self.material()?;
         let energy = match (material, &sphere.energy) {
             (Material::Isothermal(_), None) => 0.0,
-            (Material::Ideal(_), Some(energy)) => positive("sphere.energy", energy)?,
+            (Material::Ideal(_), Some(energy)) => energy.get_ref().0,
             (Material::Ideal(_), None) => {
                 let problem = "sphere.energy is missing: only an isothermal gas needs none";
                 return Err((place, problem.into()));
@@ -61,7 +61,7 @@ impl SceneFile {
             (Some(n), None) if (0.0..3.0).contains(n.get_ref()) => {
                 Distribution::PowerLaw(*n.get_ref())
             }
-            (None, Some(extent)) => Distribution::BonnorEbert(positive("sphere.extent", extent)?),
+            (None, Some(extent)) => Distribution::BonnorEbert(extent.0),
             _ => {
                 let problem =
                     "sphere: either exponent, from 0 to below 3, or extent, above 0, is needed";
@@ -71,9 +71,6 @@ impl SceneFile {
         let gravity = self.gravity.as_ref().ok_or_else(|| {
             (place, "sphere: the table [gravity] with constant is needed".to_string())
         })?;
-        let sink = self.sink.as_ref().map(|sink| positive("sink.radius", &sink.get_ref().radius));
-        let outside =
-            self.outside.as_ref().map(|gas| positive("outside.pressure", &gas.get_ref().pressure));
         let [name, description, source] = self.words(name);
         let mut cloud = Cloud {
             name,
@@ -82,14 +79,14 @@ impl SceneFile {
             material,
             energy,
             distribution,
-            mass: positive("sphere.mass", &sphere.mass)?,
-            radius: positive("sphere.radius", &sphere.radius)?,
+            mass: sphere.mass.0,
+            radius: sphere.radius.0,
             equilibrium: sphere.equilibrium,
-            constant: positive("gravity.constant", &gravity.get_ref().constant)?,
-            sink: sink.transpose()?,
-            outside: outside.transpose()?,
+            constant: gravity.get_ref().constant.0,
+            sink: self.sink.as_ref().map(|sink| sink.get_ref().radius.0),
+            outside: self.outside.as_ref().map(|medium| medium.get_ref().pressure.0),
             known: None,
-            end_time: positive("end_time", &self.end_time)?,
+            end_time: self.end_time.0,
             particles: self.particles(3000, 100)?,
             method: self.method(),
         };
@@ -97,7 +94,7 @@ impl SceneFile {
             && radius >= cloud.radius
         {
             let problem = format!("sink.radius = {radius}: a number below sphere.radius is needed");
-            return Err((sink.get_ref().radius.span().start, problem));
+            return Err((sink.span().start, problem));
         }
         cloud.known = self.known(&cloud)?;
         Ok(cloud)
@@ -106,16 +103,10 @@ impl SceneFile {
     /// What the file says is known of the flow, where it is true.
     fn known(&self, cloud: &Cloud) -> Result<Option<Known>, Problem> {
         let Some(exact) = &self.exact else { return Ok(None) };
-        let name = exact.get_ref().as_str();
-        let Some(known) = Known::ALL.into_iter().find(|known| known.name() == name) else {
-            let names = Known::ALL.map(Known::name).join(", ");
-            return Err((exact.span().start, format!("exact = \"{name}\": accepted: {names}")));
-        };
-        match known.demand(cloud) {
-            None => Ok(Some(known)),
+        match exact.get_ref().demand(cloud) {
+            None => Ok(Some(*exact.get_ref())),
             Some(demand) => {
-                let problem =
-                    format!("exact = \"{name}\": that is known {demand}; else leave it out");
+                let problem = format!("exact: that is known {demand}; else leave it out");
                 Err((exact.span().start, problem))
             }
         }

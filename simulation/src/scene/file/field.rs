@@ -1,6 +1,6 @@
 //! A gas in a box, from its tables.
 
-use super::{Axes, Ends, Problem, SceneFile, place, positive};
+use super::{Axes, Ends, Positive, Problem, SceneFile, place};
 use crate::boundary::Boundary;
 use crate::field::{FieldFlow, FieldScene, VORTEX_RADIUS};
 use crate::lattice::Lattice;
@@ -11,25 +11,25 @@ use toml::Spanned;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ShearTable {
-    density: Spanned<f64>,
-    speed: Spanned<f64>,
+    density: Positive,
+    speed: Positive,
     /// Of an ideal gas.
-    pressure: Option<Spanned<f64>>,
+    pressure: Option<Spanned<Positive>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct VortexTable {
-    density: Spanned<f64>,
-    pressure: Spanned<f64>,
+    density: Positive,
+    pressure: Positive,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct BlastTable {
-    density: Spanned<f64>,
-    energy: Spanned<f64>,
-    pressure: Spanned<f64>,
+    density: Positive,
+    energy: Positive,
+    pressure: Positive,
 }
 
 impl SceneFile {
@@ -82,7 +82,7 @@ impl SceneFile {
             lattice: self.lattice_of(dimension)?,
             gas: material,
             flow,
-            end_time: positive("end_time", &self.end_time)?,
+            end_time: self.end_time.0,
             particles: self.particles(2500, 100)?,
             method: self.method(),
         })
@@ -100,10 +100,9 @@ impl SceneFile {
         match (&self.shear, &self.vortex, &self.blast) {
             (Some(table), None, None) => {
                 let ShearTable { density, speed, pressure } = table.get_ref();
-                let density = positive("shear.density", density)?;
                 let pressure = match (isothermal, pressure) {
-                    (Some(sound), None) => sound * sound * density,
-                    (None, Some(pressure)) => positive("shear.pressure", pressure)?,
+                    (Some(sound), None) => sound * sound * density.0,
+                    (None, Some(pressure)) => pressure.get_ref().0,
                     (Some(_), Some(pressure)) => {
                         let problem =
                             "shear.pressure: that of an isothermal gas follows from its density";
@@ -115,24 +114,17 @@ impl SceneFile {
                         return Err((table.span().start, problem.into()));
                     }
                 };
-                Ok(FieldFlow::Shear { density, speed: positive("shear.speed", speed)?, pressure })
+                Ok(FieldFlow::Shear { density: density.0, speed: speed.0, pressure })
             }
             (None, Some(table), None) => {
                 needs_energy("vortex")?;
                 let VortexTable { density, pressure } = table.get_ref();
-                Ok(FieldFlow::Gresho {
-                    density: positive("vortex.density", density)?,
-                    pressure: positive("vortex.pressure", pressure)?,
-                })
+                Ok(FieldFlow::Gresho { density: density.0, pressure: pressure.0 })
             }
             (None, None, Some(table)) => {
                 needs_energy("blast")?;
                 let BlastTable { density, energy, pressure } = table.get_ref();
-                Ok(FieldFlow::Blast {
-                    density: positive("blast.density", density)?,
-                    energy: positive("blast.energy", energy)?,
-                    pressure: positive("blast.pressure", pressure)?,
-                })
+                Ok(FieldFlow::Blast { density: density.0, energy: energy.0, pressure: pressure.0 })
             }
             _ => {
                 let places = [place(&self.shear), place(&self.vortex), place(&self.blast)];
@@ -170,15 +162,19 @@ impl SceneFile {
     }
 
     fn lattice_of(&self, dimension: usize) -> Result<Lattice, Problem> {
-        let fitting =
-            || Lattice::ALL.into_iter().filter(|lattice| lattice.dimension() == dimension);
-        let usual = || fitting().next().expect("there are lattices in two and three dimensions");
-        let Some(name) = &self.lattice else { return Ok(usual()) };
-        fitting().find(|lattice| lattice.name() == name.get_ref()).ok_or_else(|| {
-            let names: Vec<&str> = fitting().map(Lattice::name).collect();
-            let problem =
-                format!("lattice = \"{}\": accepted: {}", name.get_ref(), names.join(", "));
-            (name.span().start, problem)
-        })
+        let fits = |lattice: &Lattice| lattice.dimension() == dimension;
+        match &self.lattice {
+            None => Ok(Lattice::ALL
+                .into_iter()
+                .find(fits)
+                .expect("there is one in a plane and in space")),
+            Some(lattice) if fits(lattice.get_ref()) => Ok(*lattice.get_ref()),
+            Some(lattice) => {
+                let fitting = Lattice::ALL.into_iter().filter(fits).map(Lattice::name);
+                let names = fitting.collect::<Vec<_>>().join(", ");
+                let problem = format!("lattice: in {dimension} dimensions accepted: {names}");
+                Err((lattice.span().start, problem))
+            }
+        }
     }
 }

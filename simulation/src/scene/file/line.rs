@@ -52,7 +52,7 @@ impl SceneFile {
                 None => Scene::usual_window(domain, boundary),
             },
             flow: self.flow(material, domain)?,
-            end_time: *self.end_time.get_ref(),
+            end_time: self.end_time.0,
             particles: self.particles(100, MIN_PARTICLES)?,
             constant_smoothing: self.constant_smoothing.as_ref().is_some_and(|yes| *yes.get_ref()),
             method: self.method(),
@@ -69,7 +69,6 @@ impl SceneFile {
         let layer = self.layer.as_ref().and_then(|all| all.first()).map(Spanned::get_ref);
         match key {
             "window" => place(&self.window),
-            "end_time" => self.end_time.span().start,
             "to" => layer.map_or(place(&self.diaphragm), |layer| layer.to.span().start),
             "amplitude" | "simple_wave" => place(&self.simple_wave),
             _ => layer.map_or(place(&self.left), |layer| place(&layer.density)),

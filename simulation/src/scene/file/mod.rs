@@ -26,6 +26,8 @@ mod line;
 use super::quantity::{ACCEPTED, Quantity};
 use super::{AnyScene, Material};
 use crate::boundary::Boundary;
+use crate::gravity::Known;
+use crate::lattice::Lattice;
 use crate::particles::IsothermalGas;
 use crate::riemann::IdealGas;
 use serde::Deserialize;
@@ -54,19 +56,19 @@ struct SceneFile {
     description: Option<String>,
     source: Option<String>,
     method: Option<Spanned<String>>,
-    end_time: Spanned<f64>,
+    end_time: Positive,
     particles: Option<Spanned<usize>>,
-    equation: Option<Spanned<String>>,
+    equation: Option<Equation>,
     dimension: Option<Spanned<usize>>,
     gamma: Option<Spanned<f64>>,
-    sound_speed: Option<Spanned<f64>>,
+    sound_speed: Option<Spanned<Positive>>,
     velocity: Option<Spanned<f64>>,
     domain: Option<Spanned<Axes>>,
     boundary: Option<Spanned<Ends>>,
     window: Option<Spanned<[f64; 2]>>,
     constant_smoothing: Option<Spanned<bool>>,
-    lattice: Option<Spanned<String>>,
-    exact: Option<Spanned<String>>,
+    lattice: Option<Spanned<Lattice>>,
+    exact: Option<Spanned<Known>>,
     diaphragm: Option<Spanned<f64>>,
     left: Option<Spanned<line::Side>>,
     right: Option<Spanned<line::Side>>,
@@ -81,6 +83,32 @@ struct SceneFile {
     outside: Option<Spanned<cloud::OutsideTable>>,
 }
 
+/// A finite number above 0.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(try_from = "f64")]
+struct Positive(f64);
+
+impl TryFrom<f64> for Positive {
+    type Error = String;
+
+    fn try_from(number: f64) -> Result<Self, String> {
+        match number.is_finite() && number > 0.0 {
+            true => Ok(Self(number)),
+            false => Err(format!("{number}: a finite number above 0 {NEEDED}")),
+        }
+    }
+}
+
+/// How a complaint of a value ends.
+const NEEDED: &str = "is needed";
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Equation {
+    Gas,
+    Advection,
+}
+
 /// An interval, or one for each axis of a box.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(untagged)]
@@ -93,7 +121,7 @@ enum Axes {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(untagged)]
 enum Ends {
-    All(String),
+    All(Boundary),
     Each(Vec<Ends>),
 }
 
@@ -177,37 +205,30 @@ impl AnyScene {
         };
         let file: SceneFile = toml::from_str(text).map_err(|error| {
             let place = error.span().map_or(0, |span| span.start);
-            at((place, explain(&error.message().replace('\n', " "))))
+            let before = text.get(..place).unwrap_or_default().lines().last().unwrap_or_default();
+            at((place, explain(&error.message().replace('\n', " "), before)))
         })?;
         file.scene(name).map_err(at)
     }
 }
 
-/// What serde says, with what is accepted.
-fn explain(message: &str) -> String {
+/// What serde says, with the key and what is accepted.
+fn explain(message: &str, before: &str) -> String {
     let untagged = |name: &str| message.contains(&format!("untagged enum {name}"));
     if untagged("Quantity") {
         format!("a quantity is {ACCEPTED}")
     } else if untagged("Axes") {
         "domain: [from, to], or in a box one such pair for each axis, is accepted".into()
     } else if untagged("Ends") {
-        format!("boundary: one word, or one for each end, is accepted: {WORDS}")
-    } else if message.starts_with("unknown field") {
+        "boundary: one word, or one for each end, is accepted: periodic, mirror, transmissive, open"
+            .into()
+    } else if message.ends_with(NEEDED) {
+        format!("{}{message}", before.trim_start_matches(['{', ' ']))
+    } else if message.starts_with("unknown ") {
         message.into()
     } else {
         format!("{}; accepted: {KEYS}", message.trim())
     }
-}
-
-const WORDS: &str = "periodic, mirror, transmissive, open";
-
-/// The value if it is finite and above 0.
-fn positive(key: &str, value: &Spanned<f64>) -> Result<f64, Problem> {
-    let number = *value.get_ref();
-    if number.is_finite() && number > 0.0 {
-        return Ok(number);
-    }
-    Err((value.span().start, format!("{key} = {number}: a finite number above 0 is needed")))
 }
 
 /// Where a value stands that is there.
@@ -253,16 +274,8 @@ impl SceneFile {
     }
 
     fn kind(&self, given: &[(&str, usize)]) -> Result<Kind, Problem> {
-        match self
-            .equation
-            .as_ref()
-            .map(|equation| (equation.get_ref().as_str(), equation.span().start))
-        {
-            Some(("advection", _)) => return Ok(Kind::Advection),
-            None | Some(("gas", _)) => {}
-            Some((other, place)) => {
-                return Err((place, format!("equation = \"{other}\": accepted: gas, advection")));
-            }
+        if self.equation == Some(Equation::Advection) {
+            return Ok(Kind::Advection);
         }
         let known = |kind: &Kind| given.iter().any(|(key, _)| kind.marks().contains(key));
         match Kind::ALL[1..].iter().find(|kind| known(kind)) {
@@ -325,8 +338,7 @@ impl SceneFile {
                 .map(Material::Ideal)
                 .map_err(|error| (gamma.span().start, error.to_string())),
             (None, Some(speed)) => {
-                let sound_speed = positive("sound_speed", speed)?;
-                Ok(Material::Isothermal(IsothermalGas { sound_speed }))
+                Ok(Material::Isothermal(IsothermalGas { sound_speed: speed.get_ref().0 }))
             }
             (Some(_), Some(speed)) => {
                 let problem =
@@ -358,35 +370,17 @@ impl SceneFile {
         }
     }
 
-    /// The boundary that a word stands for.
-    fn end(&self, word: &Ends) -> Result<Boundary, Problem> {
-        let problem = match word {
-            Ends::All(word) => match word.as_str() {
-                "periodic" => return Ok(Boundary::Periodic),
-                "mirror" | "wall" => return Ok(Boundary::Mirror),
-                "transmissive" => return Ok(Boundary::Transmissive),
-                "open" => return Ok(Boundary::Open),
-                _ => format!("boundary = \"{word}\": accepted: {WORDS}"),
-            },
-            Ends::Each(_) => format!("boundary: an end has one word; accepted: {WORDS}"),
-        };
-        Err((place(&self.boundary), problem))
-    }
-
     /// The boundaries of an interval.
     fn ends(&self, ends: &Ends) -> Result<[Boundary; 2], Problem> {
         let pair = match ends {
-            Ends::All(_) => [self.end(ends)?; 2],
+            Ends::All(end) => Some([*end; 2]),
             Ends::Each(words) => match words.as_slice() {
-                [left, right] => [self.end(left)?, self.end(right)?],
-                _ => {
-                    return Err((
-                        place(&self.boundary),
-                        "boundary: an interval has two ends".into(),
-                    ));
-                }
+                [Ends::All(left), Ends::All(right)] => Some([*left, *right]),
+                _ => None,
             },
         };
+        let two = "boundary: an interval has two ends, each of one word";
+        let pair = pair.ok_or_else(|| (place(&self.boundary), two.to_string()))?;
         match pair.map(|end| end == Boundary::Periodic) {
             [true, false] | [false, true] => Err((
                 place(&self.boundary),
