@@ -4,6 +4,7 @@ use super::{InvalidFile, Scene};
 use crate::advection::AdvectionScene;
 use crate::field::FieldScene;
 use crate::gravity::Cloud;
+use std::str::FromStr;
 use std::sync::LazyLock;
 
 macro_rules! files {
@@ -51,6 +52,14 @@ const FILES: &[(&str, &str)] = files![
     "cold-sphere",
     "evrard",
 ];
+
+/// A name that no scene of that kind has.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("there is no scene `{name}` that is {kind}")]
+pub struct UnknownScene {
+    name: String,
+    kind: &'static str,
+}
 
 static SCENES: LazyLock<Vec<AnyScene>> = LazyLock::new(|| {
     let parsed = |(name, text): &(&str, &str)| {
@@ -146,6 +155,14 @@ macro_rules! kinds {
                         Err(InvalidFile { line: 1, problem })
                     }
                 }
+            }
+        }
+
+        impl FromStr for $scene {
+            type Err = UnknownScene;
+
+            fn from_str(name: &str) -> Result<Self, UnknownScene> {
+                Self::named(name).ok_or_else(|| UnknownScene { name: name.into(), kind: $what })
             }
         })*
     };

@@ -13,7 +13,7 @@ mod placement;
 mod quantity;
 mod simple_wave;
 
-pub use any::AnyScene;
+pub use any::{AnyScene, UnknownScene};
 pub use exact::ExactSolution;
 pub use file::{InvalidFile, KEYS};
 pub use layer::{Flow, Layer};
