@@ -140,6 +140,14 @@ impl Bands {
         Bands::new(edges, (0..n).map(color).collect())
     }
 
+    /// Lower edges and colours from the lowest band to the highest.
+    pub(super) fn ascending(&self) -> (Vec<f64>, Vec<Color>) {
+        let last = self.edges[self.edges.len() - 1].next_up();
+        let below = self.below.map(|color| (f64::NEG_INFINITY, color));
+        let inner = self.edges.iter().copied().zip(self.colors.iter().copied());
+        below.into_iter().chain(inner).chain(self.above.map(|color| (last, color))).unzip()
+    }
+
     /// Paints values below the first edge too; the colour bar shows a pointed end.
     pub fn extend_below(mut self, color: Color) -> Bands {
         self.below = Some(color);

@@ -107,7 +107,7 @@ impl Figure {
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
         let mut pixels = raster::pixels(self.units())?;
         self.draw_on(Raster::new(self.units(), &mut pixels))?;
-        raster::png(&pixels)
+        raster::png(pixels)
     }
 
     /// The picture as SVG. Axes, titles and legends are text.

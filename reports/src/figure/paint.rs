@@ -2,7 +2,6 @@
 
 use super::{
     axis::Axis,
-    color::Color,
     field::Field,
     geometry::{Point, Rect, clip, distance, simplify},
     ink::{Drawn, Ink, Pen},
@@ -11,6 +10,7 @@ use super::{
     text::{self, POINT},
 };
 use crate::number::format_number;
+use rayon::prelude::*;
 
 /// Points of curves closer than this to their neighbours' chord are left out: 0.01 point.
 const TOLERANCE: f64 = 0.01 * POINT;
@@ -62,6 +62,12 @@ impl Frame<'_> {
 
 /// Draws layers in order.
 pub(super) fn layers(canvas: &impl Ink, frame: &Frame, layers: &[Layer]) -> Drawn {
+    // Side by side: following contours is most of the work.
+    layers.par_iter().for_each(|layer| match layer {
+        Layer::FilledContours(contours) => contours.field.follow(&contours.bands.ascending().0),
+        Layer::Isolines(lines) => lines.field.follow(&lines.levels),
+        _ => {}
+    });
     let mut labels = Obstacles::new(frame, layers);
     for layer in layers {
         match layer {
@@ -88,15 +94,8 @@ pub(super) fn layers(canvas: &impl Ink, frame: &Frame, layers: &[Layer]) -> Draw
 /// Each band is painted from its lower edge all the way up and the next one over it: neighbours overlap, so no seam of
 /// background can show between them.
 fn bands(canvas: &impl Ink, frame: &Frame, contours: &FilledContours) -> Drawn {
-    let FilledContours { field, bands, .. } = contours;
-    let field = frame.field(field);
-    let last = bands.edges[bands.edges.len() - 1].next_up();
-    let below = bands.below.map(|color| (f64::NEG_INFINITY, color));
-    let inner = bands.edges.iter().copied().zip(bands.colors.iter().copied());
-    let above = bands.above.map(|color| (last, color));
-    let (levels, colors): (Vec<f64>, Vec<Color>) =
-        below.into_iter().chain(inner).chain(above).unzip();
-    for (rings, color) in field.regions(&levels).into_iter().zip(colors) {
+    let (levels, colors) = contours.bands.ascending();
+    for (rings, color) in frame.field(&contours.field).regions(&levels).into_iter().zip(colors) {
         let rings: Vec<_> = rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect();
         if !rings.is_empty() {
             canvas.fill(&rings, color)?;
