@@ -116,8 +116,8 @@ fn complaints_are_alike_for_all_kinds_of_scenes() {
             shear | sound_speed = 1.0 | gamma = 1.0 |  | above 1
             shear | sound_speed = 1.0 | gamma = 1.4 | [shear] | shear.pressure is missing
             shear | [0.0, 1.0], [0.0 | [1.0, 0.0], [0.0 |  | an ascending interval
-            shear | lattice | boundary = "open"⏎lattice | boundary = "open" | periodic and mirror
-            shear | lattice | boundary = "mirror"⏎lattice | boundary = "mirror" | a shear is periodic
+            shear | lattice = | boundary = "open"⏎lattice = | boundary = "open" | periodic and mirror
+            shear | lattice = | boundary = "mirror"⏎lattice = | boundary = "mirror" | a shear is periodic
             shear | [shear] | [sheer] |  | unknown field `sheer`
             shear | [shear] | [sink]⏎radius = 1⏎[shear] | [sink] | sink: a gas in a box has no such key
             gresho | gamma = 1.6666666666666667 | sound_speed = 1 |  | a vortex needs gamma
