@@ -3,7 +3,7 @@
 use super::super::ReportError;
 use super::{paper_lattice, phases, text, usual_ratio};
 use crate::cha_whitworth2003::published::PublishedWaves;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::csv;
@@ -84,7 +84,7 @@ fn figure() -> Result<Item, ReportError> {
         let label = format!("{}, h/Δ = {}", form, significant(to_f64(&at), 2));
         let color = if form == PUBLISHED { Color::VERMILION } else { Color::BLUE };
         let line = |points: Vec<(f64, f64)>| {
-            Line::new(points)
+            Series::line(points)
                 .color(color)
                 .width(1.4)
                 .dash(Dash::nth(index % 2))
@@ -107,7 +107,7 @@ fn figure() -> Result<Item, ReportError> {
                 .collect(),
         ));
     }
-    let figure = Figure::grid(1, 2).size(7.6, 3.5).panel(speed).panel(damping).legend_below();
+    let figure = Figure::grid(1, 2).size(7.6, 3.5).panel(speed).panel(damping);
     let usual = waves(RESOLVED, false)?;
     let largest = phases
         .iter()

@@ -3,7 +3,7 @@
 use super::super::ReportError;
 use super::{lattice, phases, text, usual_ratio};
 use crate::cells;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Panel, Series};
 use crate::page::Item;
 use crate::paper_text::csv;
 use crate::wave_map::wave_number_axis;
@@ -30,14 +30,14 @@ pub fn item() -> Result<Item, ReportError> {
         ("(d) GPH, resolved: damping", "gph", Quantity::DampingPerWavelength, damping),
     ];
     let phases = phases(240);
-    let mut figure = Figure::grid(2, 2).size(7.4, 6.2).legend_below();
+    let mut figure = Figure::grid(2, 2).size(7.4, 6.2);
     let mut lines = Vec::new();
     for (title, method, quantity, (label, low, high)) in panels {
         let mut panel =
             Panel::new(wave_number_axis().range(0.0, PI), Axis::linear(label).range(low, high))
                 .title(title);
         if quantity == Quantity::Speed {
-            panel = panel.layer(Line::horizontal(1.0).width(0.7));
+            panel = panel.layer(Series::horizontal(1.0).width(0.7));
         }
         for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
             let at = equal_width_ratio(kernel);
@@ -48,7 +48,7 @@ pub fn item() -> Result<Item, ReportError> {
                 let what = if quantity == Quantity::Speed { "speed" } else { "damping" };
                 lines.push(cells![method, what, kernel.name(), to_text(&at), phase, value]);
             }
-            let line = Line::new(points)
+            let line = Series::line(points)
                 .color(Color::qualitative(index))
                 .width(1.2)
                 .dash(Dash::nth(index % 4))

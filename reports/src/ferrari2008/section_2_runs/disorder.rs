@@ -1,7 +1,7 @@
 //! How far the lattice theory carries when the particles are not on a lattice.
 
 use super::{Detail, discretisation, text};
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::paper_text::csv;
@@ -110,7 +110,7 @@ fn figure(studies: &[Study]) -> Figure {
     });
     let courant_numbers =
         ["C = 1", "2 % below the limit", "2 % above it"].map(|c| format!("c, d: {c}"));
-    let mut figure = Figure::grid(2, 2).size(7.2, 6.2).legend_below();
+    let mut figure = Figure::grid(2, 2).size(7.2, 6.2);
     for (row, (curves, names)) in
         [(steps, phases.to_vec()), (runs, courant_numbers.to_vec())].iter().enumerate()
     {
@@ -127,7 +127,7 @@ fn figure(studies: &[Study]) -> Figure {
             };
             let x = Axis::linear("largest displacement / Δξ").range(-0.02, 0.42);
             let y = Axis::linear(label).range(low - room, high + room);
-            let mut panel = Panel::new(x, y).title(title).layer(Line::horizontal(0.0));
+            let mut panel = Panel::new(x, y).title(title).layer(Series::horizontal(0.0));
             for (k, (curve, name)) in curves.iter().zip(names).enumerate() {
                 // No look twice in a figure with one legend.
                 panel = with_spread(panel, k, k + row * MODES.len(), curve, name);
@@ -144,10 +144,10 @@ fn with_spread(panel: Panel, k: usize, look: usize, curve: &Curve, name: &str) -
     let color = Color::qualitative(look);
     let means = || curve.iter().map(|&(at, mean, _)| (at, mean));
     let bar = |&(at, _, [low, high]): &Point| [(at, low), (at, high), (f64::NAN, f64::NAN)];
-    let markers = Markers::new(means(), Marker::nth(look)).color(color).open();
+    let markers = Series::markers(means(), Marker::nth(look)).color(color).open();
     panel
-        .layer(Line::new(means()).color(color))
-        .layer(Line::new(curve.iter().flat_map(bar)).color(color).width(0.8))
+        .layer(Series::line(means()).color(color))
+        .layer(Series::line(curve.iter().flat_map(bar)).color(color).width(0.8))
         .layer(markers.size(7.5 - 1.5 * k as f64).label(name))
 }
 

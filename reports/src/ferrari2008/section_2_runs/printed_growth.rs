@@ -2,7 +2,7 @@
 
 use super::super::{LimitKind, PublishedValue, published_values};
 use super::{discretisation, text};
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Section;
 use crate::paper_text::csv;
@@ -114,7 +114,7 @@ fn row(Case { printed, growth, .. }: &Case) -> Vec<String> {
 }
 
 fn figure(cases: &[Case]) -> Figure {
-    let mut figure = Figure::grid(1, 2).size(7.2, 3.7).legend_below();
+    let mut figure = Figure::grid(1, 2).size(7.2, 3.7);
     for (letter, kernel) in [('a', Kernel::Gaussian), ('b', Kernel::CubicSpline)] {
         let mut panel = Panel::new(
             // Growth at a constant rate is a line of slope one; both kernels on the same scale.
@@ -129,13 +129,13 @@ fn figure(cases: &[Case]) -> Figure {
             let slope = case.growth.predicted_gain.log10();
             panel = panel
                 .layer(
-                    Line::new([1.0, 2.0 * STEPS as f64].map(|steps| (steps, slope * steps)))
+                    Series::line([1.0, 2.0 * STEPS as f64].map(|steps| (steps, slope * steps)))
                         .color(color)
                         .width(0.9)
                         .label(&label),
                 )
                 .layer(
-                    Markers::new(case.history.iter().copied(), Marker::nth(k))
+                    Series::markers(case.history.iter().copied(), Marker::nth(k))
                         .color(color)
                         .fill(Color::WHITE)
                         .size(3.4)

@@ -3,7 +3,7 @@
 use super::cost::{Point, SETTINGS, curve, error_axis, failures};
 use super::runs::METHODS;
 use super::{Detail, error_or_failure, panel_title, text};
-use crate::figure::{Axis, Color, Figure, Line, Panel};
+use crate::figure::{Axis, Color, Figure, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::csv;
@@ -65,7 +65,7 @@ pub fn items(detail: Detail, points: &[Point]) -> Vec<Item> {
     let all: Vec<usize> = resolutions(most(detail, "finite-volume")).collect();
     let columns: Vec<String> = all.iter().map(|n| format!("N = {n}")).collect();
     let mut rows = Vec::new();
-    let mut figure = Figure::grid(2, 2).size(7.0, 6.0).title(SETTINGS).legend_below();
+    let mut figure = Figure::grid(2, 2).size(7.0, 6.0).title(SETTINGS);
     for test in 1..=4 {
         let mut panel = Panel::new(Axis::log("N"), error_axis()).title(panel_title(test));
         for (index, name) in METHODS.into_iter().enumerate() {
@@ -93,7 +93,7 @@ pub fn items(detail: Detail, points: &[Point]) -> Vec<Item> {
                 let first = series[0].0;
                 let guide = [(first, 0.5 * error * n / first), (n, 0.5 * error)];
                 panel = panel
-                    .layer(Line::new(guide).color(Color::GREY).width(0.7).label("first order"));
+                    .layer(Series::line(guide).color(Color::GREY).width(0.7).label("first order"));
             }
             panel = curve(panel, name, index, series);
             let failed =

@@ -3,7 +3,7 @@
 use super::runs::{METHODS, compare, method, tube};
 use super::{panel_title, text};
 use crate::cells;
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::gas_run;
 use crate::number::significant;
 use crate::page::Item;
@@ -53,7 +53,7 @@ impl Point {
 
 /// Figure and table.
 pub fn items(points: &[Point]) -> Vec<Item> {
-    let mut figure = Figure::grid(2, 2).size(7.0, 6.0).title(SETTINGS).legend_below();
+    let mut figure = Figure::grid(2, 2).size(7.0, 6.0).title(SETTINGS);
     let mut rows = Vec::new();
     for test in 1..=4 {
         let mut panel = Panel::new(Axis::log("fluxes or forces of pairs"), error_axis())
@@ -98,7 +98,7 @@ pub fn failures(panel: Panel, index: usize, at: impl Iterator<Item = f64>) -> Pa
     match marks.is_empty() {
         true => panel,
         false => {
-            let marks = Markers::new(marks, Marker::Cross).color(Color::qualitative(index));
+            let marks = Series::markers(marks, Marker::Cross).color(Color::qualitative(index));
             panel.layer(marks.size(5.0).label("run failed: no error, drawn at the foot"))
         }
     }
@@ -118,8 +118,8 @@ pub fn curve(panel: Panel, name: &str, index: usize, points: Vec<(f64, f64)>) ->
         return panel;
     }
     let (color, name) = (Color::qualitative(index), gas_run::method_title(name));
-    panel.layer(Line::new(points.iter().copied()).color(color).width(0.9).label(name)).layer(
-        Markers::new(points, Marker::nth(index))
+    panel.layer(Series::line(points.iter().copied()).color(color).width(0.9).label(name)).layer(
+        Series::markers(points, Marker::nth(index))
             .color(color)
             .fill(Color::WHITE)
             .size(3.6)

@@ -5,7 +5,7 @@ use super::runs::{LAGRANGIAN, PARTICLES, compare, method, tube};
 use super::table_2::sound_growth;
 use super::{Detail, error_or_failure, panel_title, text};
 use crate::cells;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::{csv, or_dash};
@@ -36,7 +36,7 @@ fn run(test: usize, name: &str, cfl: f64, step: StepRule) -> Result<f64, Failure
 }
 
 /// All runs of one flux, test and step rule.
-struct Series {
+struct Curve {
     test: usize,
     name: &'static str,
     step: StepRule,
@@ -46,7 +46,7 @@ struct Series {
     threshold: Option<(f64, f64, Failure)>,
 }
 
-impl Series {
+impl Curve {
     fn new(test: usize, name: &'static str, step: StepRule, grid: &[f64]) -> Self {
         let points: Vec<_> = grid.iter().map(|&cfl| (cfl, run(test, name, cfl, step))).collect();
         let first = points.iter().position(|(_, result)| result.is_err());
@@ -93,18 +93,17 @@ pub fn items(detail: Detail) -> Vec<Item> {
             [StepRule::Current, StepRule::Initial].map(|rule| (test, name, rule))
         })
         .collect();
-    let series: Vec<Series> = cases
+    let curves: Vec<Curve> = cases
         .into_par_iter()
-        .map(|(test, name, rule)| Series::new(test, name, rule, &grid))
+        .map(|(test, name, rule)| Curve::new(test, name, rule, &grid))
         .collect();
-    vec![figure(&series), text().table("section_3_courant_limits", &[], series.iter().map(row))]
+    vec![figure(&curves), text().table("section_3_courant_limits", &[], curves.iter().map(row))]
 }
 
-fn figure(series: &[Series]) -> Item {
+fn figure(curves: &[Curve]) -> Item {
     let mut figure = Figure::grid(2, 2)
         .size(7.0, 6.0)
-        .title("Godunov-type SPH: cubic B-spline, l/Δξ = 2, N = 100, steps from the current state")
-        .legend_below();
+        .title("Godunov-type SPH: cubic B-spline, l/Δξ = 2, N = 100, steps from the current state");
     let mut lines = Vec::new();
     for test in 1..=4 {
         let mut panel = Panel::new(
@@ -112,21 +111,21 @@ fn figure(series: &[Series]) -> Item {
             Axis::log("Σ|e|/N of ρ").range(7e-3, 12.0),
         )
         .title(panel_title(test))
-        .layer(Line::vertical(MONOTONE).dash(Dash::Dashed).label("monotone up to 8/5"))
+        .layer(Series::vertical(MONOTONE).dash(Dash::Dashed).label("monotone up to 8/5"))
         .layer(
-            Line::vertical(STABLE)
+            Series::vertical(STABLE)
                 .color(Color::BLACK)
                 .dash(Dash::Dashed)
                 .label("stable up to 15/8"),
         );
-        for one in series.iter().filter(|one| one.test == test) {
+        for one in curves.iter().filter(|one| one.test == test) {
             for (cfl, result) in &one.points {
                 let step = format!("{:?}", one.step);
                 lines.push(cells![test, one.name, step, cfl, error_or_failure(result)]);
             }
         }
-        let current = |one: &&Series| one.test == test && one.step == StepRule::Current;
-        for (index, one) in series.iter().filter(current).enumerate() {
+        let current = |one: &&Curve| one.test == test && one.step == StepRule::Current;
+        for (index, one) in curves.iter().filter(current).enumerate() {
             let ended: Vec<(f64, f64)> =
                 one.points.iter().map_while(|(cfl, result)| Some((*cfl, result.ok()?))).collect();
             let last = ended.last().copied();
@@ -134,7 +133,7 @@ fn figure(series: &[Series]) -> Item {
             panel = curve(panel, one.name, index + 2, ended);
             if let (Some((_, high, _)), Some((_, error))) = (&one.threshold, last) {
                 panel = panel.layer(
-                    Markers::new([(*high, error)], Marker::Cross)
+                    Series::markers([(*high, error)], Marker::Cross)
                         .size(6.0)
                         .width(1.4)
                         .label("fails from here on"),
@@ -148,7 +147,7 @@ fn figure(series: &[Series]) -> Item {
     text().figure("section_3_courant", &[], figure, data)
 }
 
-fn row(one: &Series) -> Vec<String> {
+fn row(one: &Curve) -> Vec<String> {
     let (rule, limit) = match one.step {
         StepRule::Current => ("current state", STABLE),
         StepRule::Initial => ("initial data", STABLE / sound_growth(one.test).max(1.0)),
