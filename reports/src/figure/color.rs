@@ -160,7 +160,7 @@ impl Bands {
     }
 
     /// The least value of each colour, in ascending order.
-    pub(super) fn from_below(&self) -> impl Iterator<Item = (f64, Color)> {
+    pub(super) fn lower_ends(&self) -> impl Iterator<Item = (f64, Color)> {
         let last = self.edges[self.edges.len() - 1].next_up();
         let below = self.below.map(|color| (f64::NEG_INFINITY, color));
         let inner = self.edges.iter().copied().zip(self.colors.iter().copied());

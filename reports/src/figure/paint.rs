@@ -108,9 +108,10 @@ pub(super) fn layers(canvas: &mut Canvas, frame: &Frame, layers: &[Layer]) {
 /// Each band is painted from its lower edge all the way up and the next one over it: neighbours overlap, so no seam of
 /// background can show between them.
 fn bands(canvas: &mut Canvas, frame: &Frame, contours: &FilledContours) {
-    let (levels, colors): (Vec<f64>, Vec<Color>) = contours.bands.from_below().unzip();
+    let (levels, colors): (Vec<f64>, Vec<Color>) = contours.bands.lower_ends().unzip();
     for (rings, color) in frame.field(&contours.field).regions(&levels).into_iter().zip(colors) {
-        let rings: Vec<_> = rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect();
-        canvas.fill(rings, color);
+        if !rings.is_empty() {
+            canvas.fill(rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect(), color);
+        }
     }
 }

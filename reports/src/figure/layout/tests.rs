@@ -99,8 +99,11 @@ fn boxes(svg: &str) -> Vec<(String, Rect)> {
         let (x, y, size) = (number("x"), number("y"), number("font-size"));
         let letters = letters.trim();
         let (wide, high) = (text::width(letters, size / POINT), text::CAP_HEIGHT * size);
-        let anchors = ["start", "middle", "end"].iter();
-        let back = 0.5 * wide * anchors.position(|a| *a == value("text-anchor"))? as f64;
+        let back = match value("text-anchor") {
+            "start" => 0.0,
+            "middle" => 0.5 * wide,
+            _ => wide,
+        };
         let drop = match value("dy") {
             "0.76em" => 0.76 * size,
             "0.5ex" => 0.5 * 0.547 * size,
