@@ -9,24 +9,6 @@ use courant_simulation::riemann::Wave;
 use courant_simulation::run::Run;
 use courant_simulation::scene::{ExactSolution, Scene};
 
-/// The name of a method for titles, as in the captions of Ferrari et al. 2008.
-pub fn method_title(method: &str) -> &'static str {
-    match method {
-        "finite-volume" => "First-order Godunov finite volumes",
-        "sph-adke" => "Standard SPH with adaptive kernel estimation",
-        "lagrangian-exact" => "Godunov-type SPH, exact Riemann flux",
-        "lagrangian-rusanov" => "Godunov-type SPH, Rusanov flux",
-        "lagrangian-roe" => "Godunov-type SPH, modified Roe flux",
-        "gph1" => "GPH case 1",
-        "gph2" => "GPH case 2",
-        "gph3" => "GPH case 3",
-        "gph4" => "GPH case 4",
-        "sph1" => "SPH 1",
-        "sph2" => "SPH 2",
-        _ => "Run",
-    }
-}
-
 /// The method with its settings, for captions.
 pub fn settings(method: &Method) -> String {
     use courant_simulation::lagrangian::flux::{ContactViscosity, Flux, RoeMean};

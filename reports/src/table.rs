@@ -46,13 +46,21 @@ pub struct Table {
     caption: String,
     columns: Vec<(String, Align)>,
     rows: Vec<Vec<Cell>>,
+    /// Columns at the left that say what a row is about.
+    keys: usize,
 }
 
 impl Table {
     /// An empty table.
     pub fn new(caption: impl Into<String>, columns: &[(&str, Align)]) -> Self {
         let columns = columns.iter().map(|(name, align)| ((*name).into(), *align)).collect();
-        Self { caption: caption.into(), columns, rows: Vec::new() }
+        Self { caption: caption.into(), columns, rows: Vec::new(), keys: 1 }
+    }
+
+    /// How many columns at the left say what a row is about (default: 1): where a table goes on below, they stand again.
+    pub fn keyed(mut self, keys: usize) -> Self {
+        self.keys = keys;
+        self
     }
 
     /// Adds a row.
@@ -101,17 +109,57 @@ impl Table {
         widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
     }
 
-    /// The widths of the columns in so much room: the widest are narrowed, down to their longest word.
-    fn widths_within(&self, room: usize) -> Vec<usize> {
-        let mut widths = self.widths();
-        let least: Vec<usize> = (0..widths.len())
+    /// The longest word of every column.
+    fn least_widths(&self) -> Vec<usize> {
+        (0..self.columns.len())
             .map(|index| {
                 let cells = self.rows.iter().map(|row| row[index].text.as_str());
                 let words =
                     cells.chain([self.columns[index].0.as_str()]).flat_map(|c| c.split(' '));
                 words.map(width).max().unwrap_or(0)
             })
-            .collect();
+            .collect()
+    }
+
+    /// The table in parts of so many columns of a terminal, if their words are short enough.
+    fn parts_within(&self, room: usize) -> Vec<Self> {
+        let least = self.least_widths();
+        let keys = self.keys.min(least.len());
+        let of_keys = least[..keys].iter().map(|one| one + 2).sum::<usize>();
+        let mut parts: Vec<Vec<usize>> = Vec::new();
+        let mut used = usize::MAX;
+        for (index, one) in least.iter().enumerate().skip(keys) {
+            match parts.last_mut() {
+                Some(part) if used.saturating_add(2 + one) <= room => {
+                    part.push(index);
+                    used += 2 + one;
+                }
+                _ => {
+                    parts.push((0..keys).chain([index]).collect());
+                    used = of_keys + one;
+                }
+            }
+        }
+        if parts.len() < 2 {
+            return vec![self.clone()];
+        }
+        let part = |chosen: Vec<usize>| Self {
+            caption: self.caption.clone(),
+            columns: chosen.iter().map(|&index| self.columns[index].clone()).collect(),
+            rows: self
+                .rows
+                .iter()
+                .map(|row| chosen.iter().map(|&i| row[i].clone()).collect())
+                .collect(),
+            keys,
+        };
+        parts.into_iter().map(part).collect()
+    }
+
+    /// The widths of the columns in so much room: the widest are narrowed, down to their longest word.
+    fn widths_within(&self, room: usize) -> Vec<usize> {
+        let mut widths = self.widths();
+        let least = self.least_widths();
         let gaps = 2 * widths.len().saturating_sub(1);
         while widths.iter().sum::<usize>() + gaps > room {
             let narrower = (0..widths.len()).filter(|&index| widths[index] > least[index]);
@@ -129,8 +177,15 @@ impl Table {
     }
 
     /// The same in so many columns of a terminal, if words and numbers are short enough: longer cells and headings go on
-    /// in lines of their own.
+    /// in lines of their own, and columns that find no room go on below.
     pub fn to_text_within(&self, room: usize) -> String {
+        let parts: Vec<String> =
+            self.parts_within(room).iter().map(|part| part.lines_within(room)).collect();
+        format!("{}\n\n{}", self.caption, parts.join("\n"))
+    }
+
+    /// Columns side by side, without the caption.
+    fn lines_within(&self, room: usize) -> String {
         let widths = self.widths_within(room);
         let line = |cells: Vec<&str>| {
             let cells: Vec<Vec<String>> =
@@ -150,7 +205,7 @@ impl Table {
             };
             (0..lines).map(one).collect::<String>()
         };
-        let mut text = format!("{}\n\n", self.caption);
+        let mut text = String::new();
         if self.header().any(|name| !name.is_empty()) {
             let rules: Vec<String> = widths.iter().map(|&width| "─".repeat(width)).collect();
             text.push_str(&line(self.header().collect()));
@@ -362,6 +417,18 @@ mod tests {
         );
         assert!(table.to_text_within(3).lines().all(|line| width(line) <= 13));
         assert_eq!(table.to_text_within(30), table.to_text());
+    }
+
+    #[test]
+    fn columns_that_find_no_room_go_on_below_beside_what_a_row_is_about() {
+        let heads = ["method", "N", "velocity", "pressure", "energy"];
+        let mut table = Table::new("", &heads.map(|head| (head, Align::Left))).keyed(2);
+        table.push(["gph3", "10", "1", "2", "3"]);
+        let text = table.to_text_within(22);
+        let lines: Vec<&str> = text.lines().skip(2).collect();
+        assert_eq!(lines[0], "method  N   velocity");
+        assert_eq!(lines[2..5], ["gph3    10  1", "", "method  N   pressure"]);
+        assert_eq!(lines[8..], ["method  N   energy", "──────  ──  ──────", "gph3    10  3"]);
     }
 
     #[test]

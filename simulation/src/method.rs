@@ -89,6 +89,19 @@ impl Method {
         }
     }
 
+    /// The name that people use.
+    pub fn title(&self) -> &'static str {
+        match self {
+            Self::FiniteVolume(_) => "First-order Godunov finite volumes",
+            Self::Particles(options) => options.method.title(),
+            Self::Lagrangian(options) => match options.flux {
+                Flux::Exact => "Godunov-type SPH, exact Riemann flux",
+                Flux::Rusanov => "Godunov-type SPH, Rusanov flux",
+                Flux::ModifiedRoe(_) => "Godunov-type SPH, modified Roe flux",
+            },
+        }
+    }
+
     /// What helps against a breakdown, if anything is known to.
     pub fn advice(&self, reason: &Reason) -> Option<&'static str> {
         match (self, reason) {

@@ -16,13 +16,12 @@ const MAX_ALPHA: i64 = 1_000_000;
 /// Values in one list or range at most.
 const MAX_VALUES: i64 = 100_000;
 
-/// A list of exact numbers; a type of its own because the argument library treats `Vec` as repetition.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Numbers(pub Vec<Rational>);
-
-/// A list of items given by name, separated by commas.
+/// A list of items, separated by commas; a type of its own because the argument library treats `Vec` as repetition.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Names<T>(pub Vec<T>);
+
+/// A list of exact numbers.
+pub type Numbers = Names<Rational>;
 
 /// Splits at commas and reads every name; what is named twice counts once.
 pub fn names<T: PartialEq>(
@@ -69,7 +68,7 @@ pub fn list(text: &str) -> Result<Numbers, String> {
     }
     let mut seen = HashSet::new();
     values.retain(|value| seen.insert(value.clone()));
-    Ok(Numbers(values))
+    Ok(Names(values))
 }
 
 fn range(
@@ -101,18 +100,16 @@ pub fn number(text: &str) -> Result<Rational, String> {
 
 /// A positive number.
 pub fn positive(text: &str) -> Result<Rational, String> {
-    let value = number(text)?;
+    number(text).and_then(is_positive)
+}
+
+fn is_positive(value: Rational) -> Result<Rational, String> {
     if value.is_positive() { Ok(value) } else { Err("it must be above 0".into()) }
 }
 
 /// A Courant number that somebody may mean.
 pub fn courant_number(text: &str) -> Result<Rational, String> {
     number(text).and_then(in_courant_range)
-}
-
-/// A Courant number of a run, which has floating-point numbers.
-pub fn running_courant_number(text: &str) -> Result<Rational, String> {
-    courant_number(text).and_then(floating)
 }
 
 /// A number that stays what it is, within rounding, in floating point: neither too large nor too near to 0.
@@ -125,14 +122,35 @@ pub fn floating(value: Rational) -> Result<Rational, String> {
     }
 }
 
-/// A positive number of a run.
-pub fn running_positive(text: &str) -> Result<Rational, String> {
-    positive(text).and_then(floating)
+/// A list or range, each number of which `accept` takes.
+pub fn list_of(
+    text: &str,
+    accept: impl Fn(Rational) -> Result<Rational, String>,
+) -> Result<Numbers, String> {
+    let values = list(text)?.0;
+    let several = values.len() > 1;
+    let one = |value: Rational| {
+        let name = brief(&value);
+        accept(value).map_err(|why| {
+            if several && !why.starts_with(&name) { format!("`{name}`: {why}") } else { why }
+        })
+    };
+    values.into_iter().map(one).collect::<Result<_, _>>().map(Names)
 }
 
-/// A number of a run that is not negative.
-pub fn running_non_negative(text: &str) -> Result<Rational, String> {
-    non_negative(text).and_then(floating)
+/// Courant numbers of runs, which have floating-point numbers.
+pub fn running_courant_numbers(text: &str) -> Result<Numbers, String> {
+    list_of(text, |value| in_courant_range(value).and_then(floating))
+}
+
+/// Positive numbers of runs.
+pub fn running_positive(text: &str) -> Result<Numbers, String> {
+    list_of(text, |value| is_positive(value).and_then(floating))
+}
+
+/// Numbers of runs that are not negative.
+pub fn running_non_negative(text: &str) -> Result<Numbers, String> {
+    list_of(text, |value| is_not_negative(value).and_then(floating))
 }
 
 /// A Courant number that was read.
@@ -148,12 +166,12 @@ pub fn in_courant_range(value: Rational) -> Result<Rational, String> {
 
 /// Courant numbers.
 pub fn courant_numbers(text: &str) -> Result<Numbers, String> {
-    list(text)?.0.into_iter().map(in_courant_range).collect::<Result<_, _>>().map(Numbers)
+    list_of(text, in_courant_range)
 }
 
 /// Courant numbers, of which 0 is one.
 pub fn courant_numbers_from_zero(text: &str) -> Result<Numbers, String> {
-    list(text)?.0.into_iter().map(from_zero).collect::<Result<_, _>>().map(Numbers)
+    list_of(text, from_zero)
 }
 
 /// The same for a number that was read.
@@ -171,7 +189,10 @@ pub fn within(value: Rational, least: i64, most: i64) -> Result<Rational, String
 
 /// A number that is not negative.
 pub fn non_negative(text: &str) -> Result<Rational, String> {
-    let value = number(text)?;
+    number(text).and_then(is_not_negative)
+}
+
+fn is_not_negative(value: Rational) -> Result<Rational, String> {
     if value.is_negative() { Err("it must not be negative".into()) } else { Ok(value) }
 }
 
@@ -182,11 +203,6 @@ pub fn non_negative_list(text: &str) -> Result<Numbers, String> {
         Some(value) => Err(format!("{} is out of range: from 0 to {MAX_COURANT}", brief(value))),
         None => Ok(numbers),
     }
-}
-
-/// One smoothing ratio.
-pub fn ratio(text: &str) -> Result<Rational, String> {
-    number(text).and_then(ratio_in_range)
 }
 
 fn ratio_in_range(value: Rational) -> Result<Rational, String> {
@@ -202,17 +218,12 @@ fn ratio_in_range(value: Rational) -> Result<Rational, String> {
 
 /// Smoothing ratios.
 pub fn ratio_list(text: &str) -> Result<Numbers, String> {
-    list(text)?.0.into_iter().map(ratio_in_range).collect::<Result<_, _>>().map(Numbers)
+    list_of(text, ratio_in_range)
 }
 
 /// Coefficients of viscosity.
 pub fn alphas(text: &str) -> Result<Numbers, String> {
-    list(text)?
-        .0
-        .into_iter()
-        .map(|value| within(value, 0, MAX_ALPHA))
-        .collect::<Result<_, _>>()
-        .map(Numbers)
+    list_of(text, |value| within(value, 0, MAX_ALPHA))
 }
 
 /// An axis of a map: at least two ascending values.
@@ -235,9 +246,9 @@ pub fn threads(text: &str) -> Result<usize, String> {
     count(text, 1, 1024)
 }
 
-/// A number of particles.
-pub fn particles(text: &str) -> Result<usize, String> {
-    count(text, 4, 10_000_000)
+/// Numbers of particles.
+pub fn particles(text: &str) -> Result<Names<usize>, String> {
+    counts(text, 4, 10_000_000)
 }
 
 /// A number of phases.
@@ -258,6 +269,12 @@ pub fn digits(text: &str) -> Result<usize, String> {
 /// A seed of random numbers.
 pub fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(|_| format!("a whole number from 0 to {} is accepted", u64::MAX))
+}
+
+/// Whole numbers within bounds.
+pub fn counts(text: &str, least: usize, most: usize) -> Result<Names<usize>, String> {
+    let checked = list_of(text, |value| count(&value.to_string(), least, most).map(|_| value))?;
+    Ok(Names(checked.0.iter().filter_map(|value| value.to_integer().to_usize()).collect()))
 }
 
 /// A whole number within bounds.

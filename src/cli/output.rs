@@ -86,6 +86,12 @@ pub fn print_json<T: Serialize>(command: &str, body: &T) -> Result<Outcome, Fail
     print(&format!("{text}\n"))
 }
 
+/// The rows of an answer that has several.
+#[derive(Debug, Serialize)]
+struct Rows<'a, T> {
+    rows: &'a [T],
+}
+
 /// Prints one answer: for people its table, for scripts its record.
 pub fn print_record<T: Serialize>(
     command: &str,
@@ -93,23 +99,45 @@ pub fn print_record<T: Serialize>(
     table: &Table,
     format: Format,
 ) -> Result<Outcome, Failure> {
-    match table_text(table, format) {
-        Some(_) if format == Format::Csv => print(&record_csv(record)?),
-        Some(text) => print(&text),
-        None => print_json(command, record),
+    print_records(command, &[record], table, format)
+}
+
+/// Prints records: for people a table, for scripts one as an object and several as its rows.
+pub fn print_records<T: Serialize>(
+    command: &str,
+    records: &[T],
+    table: &Table,
+    format: Format,
+) -> Result<Outcome, Failure> {
+    match (table_text(table, format), records) {
+        (Some(_), _) if format == Format::Csv => print(&records_csv(records)?),
+        (Some(text), _) => print(&text),
+        (None, [one]) => print_json(command, one),
+        (None, rows) => print_json(command, &Rows { rows }),
     }
 }
 
-/// A record as comma-separated values: the names of its JSON keys, nested ones as `stability_value`, above one
-/// row with all digits. What is `null` is an empty cell; the note beside it is a column as well; a list is one cell.
-fn record_csv<T: Serialize>(record: &T) -> Result<String, Failure> {
+/// Records as comma-separated values: the names of their JSON keys, nested ones as `stability_value`, above a row
+/// for each with all digits. What is `null` or what a record does not have is an empty cell; the note beside it is a
+/// column as well; a list is one cell.
+fn records_csv<T: Serialize>(records: &[T]) -> Result<String, Failure> {
     let problem = |error: serde_json::Error| Failure::Message(error.to_string());
-    let text = serde_json::to_string(record).map_err(problem)?;
-    let Leaves(leaves) = serde_json::from_str(&text).map_err(problem)?;
-    let columns: Vec<(&str, Align)> =
-        leaves.iter().map(|(name, _)| (name.as_str(), Align::Left)).collect();
+    let leaves =
+        |record| serde_json::to_string(record).and_then(|text| serde_json::from_str(&text));
+    let rows: Vec<Leaves> =
+        records.iter().map(leaves).collect::<Result<_, _>>().map_err(problem)?;
+    let mut names: Vec<&str> = Vec::new();
+    for (name, _) in rows.iter().flat_map(|row| &row.0) {
+        if !names.contains(&name.as_str()) {
+            names.push(name);
+        }
+    }
+    let columns: Vec<(&str, Align)> = names.iter().map(|name| (*name, Align::Left)).collect();
     let mut table = Table::new("", &columns);
-    table.push(leaves.iter().map(|(_, value)| value.as_str()));
+    for Leaves(row) in &rows {
+        let cell = |name: &str| row.iter().find(|(known, _)| known == name);
+        table.push(names.iter().map(|name| cell(name).map_or("", |(_, value)| value.as_str())));
+    }
     Ok(table.to_csv())
 }
 
@@ -219,7 +247,11 @@ mod tests {
             note: &'static str,
         }
         let record = Record { z: 1.0 / 3.0, a: None, note: "none, so far" };
-        let csv = record_csv(&record).unwrap();
+        let csv = records_csv(&[&record]).unwrap();
         assert_eq!(csv, "z,a,note\n0.3333333333333333,,\"none, so far\"\n");
+        let several =
+            records_csv(&[serde_json::json!({"a": 1}), serde_json::json!({"a": 2, "b": {"c": 3}})])
+                .unwrap();
+        assert_eq!(several, "a,b_c\n1,\n2,3\n");
     }
 }

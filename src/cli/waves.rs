@@ -8,10 +8,6 @@ use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::{Integrator, LatticeMethod, catalogue};
 use courant::analysis::spelling::spells;
 use courant::reports::cha_whitworth2003::published;
-use num_traits::Signed;
-
-/// The largest coefficient of viscosity that is looked at.
-const MAX_ALPHA: i64 = 1_000_000;
 
 /// A method whose waves are known in closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -147,13 +143,4 @@ pub fn method(text: &str) -> Result<MethodName, String> {
 pub fn integrator(text: &str) -> Result<&'static Integrator, String> {
     // An argument, read once: it lives as long as the program.
     names::integrator(text, true).map(|found| &*Box::leak(Box::new((*found).clone())))
-}
-
-/// A coefficient of viscosity.
-pub fn alpha(text: &str) -> Result<Rational, String> {
-    let value = super::numbers::number(text)?;
-    if value.is_negative() || value > integer(MAX_ALPHA) {
-        return Err(format!("it must be from 0 to {MAX_ALPHA}"));
-    }
-    Ok(value)
 }

@@ -11,6 +11,7 @@ mod dimensions;
 mod manners;
 mod probe;
 mod report;
+mod runs;
 mod subjects;
 
 fn courant(arguments: &[&str]) -> Output {

@@ -45,6 +45,19 @@ impl ParticleMethod {
         }
     }
 
+    /// The name that people use.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Gph1 => "GPH case 1",
+            Self::Gph2 => "GPH case 2",
+            Self::Gph3 => "GPH case 3",
+            Self::Gph4 => "GPH case 4",
+            Self::Sph1 => "SPH 1",
+            Self::Sph2 => "SPH 2",
+            Self::Adke => "Standard SPH with adaptive kernel estimation",
+        }
+    }
+
     /// The method of that name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().chain([Self::Adke]).find(|method| method.name() == name)

@@ -20,7 +20,7 @@ fn refuse(message: impl Into<String>) -> Failure {
 pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcome, Failure> {
     let subjects = arguments.subject.subjects(&Defaults::default())?;
     for (option, axis) in [("--x", x), ("--y", y)] {
-        numbers::axis(&numbers::Numbers(axis.values.clone()))
+        numbers::axis(&numbers::Names(axis.values.clone()))
             .map_err(|problem| refuse(format!("{option} {}: {problem}", axis.name)))?;
     }
     if x.name == y.name {

@@ -1,15 +1,16 @@
 //! Scenes and methods of the advection family.
 
-use super::{Arguments, Entry, Family, no_method};
-use crate::cli::output::{Format, print, print_record, warnings};
+use super::answer::{Answer, Record, method_title};
+use super::choices::one;
+use super::{Arguments, Entry, Family, Start, no_method};
+use crate::cli::numbers::{Names, Numbers};
 use crate::cli::progress::Bar;
-use crate::cli::{Failure, Outcome, complain, numbers};
+use crate::cli::{Failure, complain, numbers};
 use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::{Rational, from_f64, integer, to_f64, to_text};
 use courant::analysis::kernel::Kernel;
 use courant::reports::advection_profile::{AdvectionRecord, profile_csv, profile_figure};
 use courant::reports::number::significant;
-use courant::reports::publish::OutputDirectory;
 use courant::reports::table::{Align, Table};
 use courant::simulation::advection::AdvectionScheme;
 use courant::simulation::advection::{
@@ -17,34 +18,34 @@ use courant::simulation::advection::{
 };
 use std::time::Instant;
 
-pub const FAMILY: Family = Family { scenes, methods, run };
+pub const FAMILY: Family = Family { scenes, methods, plan };
 
 /// Waves of `advection-waves` when `--waves` is not given.
 const WAVES: usize = 8;
 
 /// Options of the advection scenes alone.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct Options {
     /// Advection: end time in periods of the unit interval, the same as --time (default: 1).
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = numbers::running_positive, conflicts_with = "time")]
-    periods: Option<Rational>,
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = numbers::running_positive, conflicts_with = "time")]
+    pub periods: Option<Numbers>,
     /// Advection: where the particles are and which code steps them (default: uniform).
-    #[arg(long, value_enum)]
-    layout: Option<LayoutName>,
+    #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
+    pub layout: Vec<LayoutName>,
     /// Advection, disordered layout: the largest displacement in spacings, below 1/2 (default: 1/10).
-    #[arg(long, allow_hyphen_values = true, value_parser = disorder)]
-    disorder: Option<Rational>,
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = disorders)]
+    pub disorder: Option<Numbers>,
     /// Advection: seed of the displacements and of the random phases (default: 0).
-    #[arg(long, value_parser = numbers::seed)]
-    seed: Option<u64>,
+    #[arg(long, value_name = "LIST", value_parser = |text: &str| numbers::names(text, numbers::seed))]
+    pub seed: Option<Names<u64>>,
     /// Advection, scene advection-waves: the highest wave number, at most half the particles (default: 8).
-    #[arg(long, value_parser = wave_number)]
-    waves: Option<usize>,
+    #[arg(long, value_name = "LIST", value_parser = wave_numbers)]
+    pub waves: Option<Names<usize>>,
 }
 
 /// Layouts by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum LayoutName {
+pub enum LayoutName {
     /// Equal spacing, stepped by the stencil.
     Lattice,
     /// Equal spacing, neighbours found among the particles.
@@ -58,7 +59,7 @@ impl Options {
     pub fn reject(&self, scene: &str) -> Result<(), Failure> {
         let given = [
             ("--periods", self.periods.is_some()),
-            ("--layout", self.layout.is_some()),
+            ("--layout", !self.layout.is_empty()),
             ("--disorder", self.disorder.is_some()),
             ("--seed", self.seed.is_some()),
             ("--waves", self.waves.is_some()),
@@ -72,13 +73,15 @@ impl Options {
     }
 }
 
-fn disorder(text: &str) -> Result<Rational, String> {
-    let value = numbers::running_non_negative(text)?;
-    if to_f64(&value) < 0.5 { Ok(value) } else { Err("it must be at least 0 and below 1/2".into()) }
+fn disorders(text: &str) -> Result<Numbers, String> {
+    let below_half = |value: &Rational| to_f64(value) < 0.5;
+    let numbers = numbers::running_non_negative(text)?;
+    let fits = numbers.0.iter().all(below_half);
+    if fits { Ok(numbers) } else { Err("it must be at least 0 and below 1/2".into()) }
 }
 
-fn wave_number(text: &str) -> Result<usize, String> {
-    numbers::count(text, 1, 100_000)
+fn wave_numbers(text: &str) -> Result<Names<usize>, String> {
+    numbers::counts(text, 1, 100_000)
 }
 
 fn scenes() -> Vec<Entry> {
@@ -115,52 +118,39 @@ pub fn has_scene(name: &str) -> bool {
     scenes().iter().any(|scene| scene.name == name)
 }
 
-fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let (plan, ratio) = plan(arguments)?;
-    let used = plan.check().map_err(|error| invalid(&error, arguments))?;
-    // Said before it starts: the user may stop it.
-    let beyond = beyond_limit(&plan, &ratio, used);
-    if let Some(warning) = &beyond {
-        complain(&format!("warning: {warning}\n"));
-    }
-    let output = OutputDirectory::open(&arguments.out)?;
-    let bar = Bar::new(&arguments.scene);
-    let start = Instant::now();
-    let result = run_with(&plan, |time| bar.march(time, plan.periods))
-        .map_err(|error| Failure::Message(error.to_string()))?;
-    let wall_seconds = start.elapsed().as_secs_f64();
-    bar.finish();
-    let mut record = AdvectionRecord::new(&plan, &ratio, &result, wall_seconds);
-    record.run.warnings.extend(beyond);
-    let json = serde_json::to_string_pretty(&record)
-        .map_err(|error| Failure::Message(error.to_string()))?;
-    let mut files = vec![
-        ("csv", profile_csv(&result).into_bytes()),
-        ("json", format!("{json}\n").into_bytes()),
-    ];
-    // Where values overflowed there is no profile to draw.
-    if record.run.completed {
-        let figure = profile_figure(&plan, &ratio, &result);
-        files.push(("png", figure.png()?));
-        files.push(("svg", figure.svg()?.into_bytes()));
-    }
-    let stem = format!("{}_{}", plan.scene.name(), plan.method.scheme.name());
-    let mut written = Vec::new();
-    for (end, bytes) in &files {
-        written.push(output.write(&format!("{stem}.{end}"), bytes)?);
-    }
-    print_record("run", &record, &table(&record, &result), arguments.format)?;
-    if arguments.format == Format::Table {
-        print(&warnings(&record.run.warnings))?;
-        let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
-        print(&format!("\n{}\n", names.join("\n")))?;
-    }
-    Ok(if record.run.completed { Outcome::Yes } else { Outcome::No })
+fn plan(arguments: Arguments) -> Result<Start, Failure> {
+    let (plan, ratio) = plan_and_ratio(&arguments)?;
+    let used = plan.check().map_err(|error| invalid(&error, &arguments))?;
+    Ok(Box::new(move || {
+        // Said before it starts: the user may stop it.
+        let beyond = beyond_limit(&plan, &ratio, used);
+        if let Some(warning) = &beyond {
+            complain(&format!("warning: {warning}\n"));
+        }
+        let bar = Bar::new(plan.scene.name());
+        let start = Instant::now();
+        let result = run_with(&plan, |time| bar.march(time, plan.periods))
+            .map_err(|error| Failure::Message(error.to_string()))?;
+        let wall_seconds = start.elapsed().as_secs_f64();
+        bar.finish();
+        let mut record = AdvectionRecord::new(&plan, &ratio, &result, wall_seconds);
+        record.run.warnings.extend(beyond);
+        let json = serde_json::to_string_pretty(&record)
+            .map_err(|error| Failure::Message(error.to_string()))?;
+        let files = vec![
+            (".csv".into(), profile_csv(&result).into_bytes()),
+            (".json".into(), format!("{json}\n").into_bytes()),
+        ];
+        // Where values overflowed there is no profile to draw.
+        let figure = record.run.completed.then(|| profile_figure(&plan, &ratio, &result));
+        let table = table(&record, &result);
+        Answer::new(Record::Advection(record), table, files, figure)
+    }))
 }
 
 /// A plan that cannot be run, by its options.
 fn invalid(error: &PlanError, arguments: &Arguments) -> Failure {
-    let options = match (error, &arguments.time, &arguments.advection.periods) {
+    let options = match (error, arguments.time(), one(&arguments.advection.periods)) {
         (PlanError::Steps(_), Some(time), _) => format!("--time {}: ", to_text(time)),
         (PlanError::Steps(_), _, Some(periods)) => format!("--periods {}: ", to_text(periods)),
         _ => String::new(),
@@ -195,11 +185,12 @@ fn beyond_limit(plan: &RunPlan, ratio: &Rational, used: f64) -> Option<String> {
 }
 
 /// The arguments as a plan, and the ratio as it was written.
-fn plan(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
+fn plan_and_ratio(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
     let options = &arguments.advection;
-    let scheme = match &arguments.method {
+    let scene_name = arguments.scene();
+    let scheme = match arguments.method() {
         Some(name) => name.parse().map_err(|_| {
-            no_method(name, &arguments.scene, &AdvectionScheme::ALL.map(AdvectionScheme::name))
+            no_method(name, scene_name, &AdvectionScheme::ALL.map(AdvectionScheme::name))
         })?,
         None => AdvectionScheme::GodunovSph,
     };
@@ -207,61 +198,62 @@ fn plan(arguments: &Arguments) -> Result<(RunPlan, Rational), Failure> {
     let not_used = |option: &str, value: String, reason: &str| {
         Err(Failure::Message(format!("{option} {value}: {reason}")))
     };
-    if arguments.scene != "advection-waves"
-        && let Some(waves) = options.waves
+    let (waves, seed) = (one(&options.waves).copied(), one(&options.seed).copied());
+    if scene_name != "advection-waves"
+        && let Some(waves) = waves
     {
         let reason = "only the scene advection-waves has waves to count";
         return not_used("--waves", waves.to_string(), reason);
     }
-    let layout = options.layout.unwrap_or(LayoutName::Uniform);
+    let layout = options.layout.first().copied().unwrap_or(LayoutName::Uniform);
     if layout != LayoutName::Disordered {
-        if let Some(disorder) = &options.disorder {
+        if let Some(disorder) = one(&options.disorder) {
             let reason = "it needs --layout disordered";
             return not_used("--disorder", disorder.to_string(), reason);
         }
-        if let (Some(seed), true) = (options.seed, arguments.scene != "advection-waves") {
+        if let (Some(seed), true) = (seed, scene_name != "advection-waves") {
             let reason = "nothing is random here; it needs --layout disordered or advection-waves";
             return not_used("--seed", seed.to_string(), reason);
         }
     }
-    let seed = options.seed.unwrap_or(0);
+    let seed = seed.unwrap_or(0);
     let layout = match layout {
         LayoutName::Lattice => Layout::Lattice,
         LayoutName::Uniform => Layout::Uniform,
         LayoutName::Disordered => {
-            Layout::Disordered { disorder: options.disorder.as_ref().map_or(0.1, to_f64), seed }
+            Layout::Disordered { disorder: one(&options.disorder).map_or(0.1, to_f64), seed }
         }
     };
-    let particles = arguments.particles.unwrap_or(200);
+    let particles = arguments.particles().unwrap_or(200);
     // Two particles per wave: a shorter one looks like a longer one on them.
     let shortest = particles / 2;
-    if let Some(waves) = options.waves.filter(|waves| *waves > shortest) {
+    if let Some(waves) = waves.filter(|waves| *waves > shortest) {
         let reason = format!("{particles} particles carry waves up to number {shortest}");
         return not_used("--waves", waves.to_string(), &reason);
     }
-    let scene = match arguments.scene.parse() {
+    let scene = match scene_name.parse() {
         Ok(scene) => scene,
-        Err(_) => Scene::random_phases(options.waves.unwrap_or(WAVES.min(shortest)), seed),
+        Err(_) => Scene::random_phases(waves.unwrap_or(WAVES.min(shortest)), seed),
     };
     // Euler-SPH is stable at no Courant number; with small steps a period can still be looked at.
     let default_courant = match scheme {
         AdvectionScheme::EulerSph => 0.1,
         AdvectionScheme::LaxWendroffSph | AdvectionScheme::GodunovSph => 1.0,
     };
-    let ratio = arguments.ratio.clone().unwrap_or_else(|| integer(2));
+    let ratio = arguments.ratio().cloned().unwrap_or_else(|| integer(2));
     let method = Method {
         scheme,
-        kernel: arguments.kernel.unwrap_or(Kernel::CubicSpline),
+        kernel: arguments.kernel().unwrap_or(Kernel::CubicSpline),
         ratio: to_f64(&ratio),
-        courant_number: arguments.cfl.as_ref().map_or(default_courant, to_f64),
+        courant_number: arguments.cfl().map_or(default_courant, to_f64),
     };
-    let periods = options.periods.as_ref().or(arguments.time.as_ref()).map_or(1.0, to_f64);
+    let periods = one(&options.periods).or(arguments.time()).map_or(1.0, to_f64);
     Ok((RunPlan { scene, method, particles, periods, layout }, ratio))
 }
 
 fn table(record: &AdvectionRecord, result: &AdvectionRun) -> Table {
     let mut table = Table::new(
-        format!("{}, {}", record.run.scene, record.run.method),
+        format!("{}, {}", record.run.scene, method_title(&record.run.method)),
         &[("", Align::Left), ("", Align::Right)],
     );
     let mut add = |name: &str, value: String| table.push([name.to_string(), value]);

@@ -1,14 +1,13 @@
 //! Spheres of gas under their own gravity: Cha & Whitworth 2003, section 5.8, and what tests gravity.
 
+use super::answer::{Answer, Record, method_title};
 use super::particle_options::{self, eos, invalid};
-use super::{Arguments, Entry, Family};
-use crate::cli::output::{Format, print, print_record};
+use super::{Arguments, Entry, Family, Start};
+use crate::cli::Failure;
 use crate::cli::progress::Bar;
-use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::to_f64;
 use courant::reports::cloud_profile::{cloud_csv, cloud_figure, core_csv};
 use courant::reports::number::{finite, significant};
-use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::gravity::{Cloud, CloudRun, cloud_options, run_cloud};
@@ -18,7 +17,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-pub const FAMILY: Family = Family { scenes, methods: Vec::new, run };
+pub const FAMILY: Family = Family { scenes, methods: Vec::new, plan };
 
 fn scenes() -> Vec<Entry> {
     let entry = |cloud: &'static Cloud| Entry {
@@ -43,11 +42,12 @@ fn options(arguments: &Arguments, cloud: &Cloud) -> Result<MethodOptions, Failur
 }
 
 #[derive(Debug, Serialize)]
-struct CloudRecord {
+pub struct CloudRecord {
+    /// What every run has.
     #[serde(flatten)]
-    run: RunRecord,
+    pub run: RunRecord,
     /// What the scene is judged by.
-    measures: BTreeMap<&'static str, f64>,
+    pub measures: BTreeMap<&'static str, f64>,
     dimension: usize,
     eos: String,
     kernel: &'static str,
@@ -115,7 +115,13 @@ fn table(record: &CloudRecord) -> Table {
     };
     let caption = format!(
         "{} with {}, three dimensions, {}, {} particles, {} at {} spacings, step {} of the crossing time: {outcome}",
-        run.scene, run.method, record.eos, run.particles, record.kernel, record.ratio, record.cfl
+        run.scene,
+        method_title(&run.method),
+        record.eos,
+        run.particles,
+        record.kernel,
+        record.ratio,
+        record.cfl
     );
     let mut table = Table::new(caption, &[("quantity", Align::Left), ("value", Align::Right)]);
     let mut add = |name: &str, value: String| table.push([name.to_string(), value]);
@@ -132,56 +138,40 @@ fn table(record: &CloudRecord) -> Table {
     table
 }
 
-fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let mut cloud = Cloud::named(&arguments.scene).expect("the family answers for its own scenes");
-    if let Some(time) = &arguments.time {
+fn plan(arguments: Arguments) -> Result<Start, Failure> {
+    let mut cloud = Cloud::named(arguments.scene()).expect("the family answers for its own scenes");
+    if let Some(time) = arguments.time() {
         cloud.end_time = to_f64(time);
     }
-    let options = options(arguments, &cloud)?;
-    let particles = arguments.particles.unwrap_or(cloud.particles);
-    // Few particles are refused before the directory is made.
+    let options = options(&arguments, &cloud)?;
+    let particles = arguments.particles().unwrap_or(cloud.particles);
     if particles < 100 {
         let error = InvalidOptions::Particles { particles, least: 100 };
-        return Err(invalid(&error, arguments, options.method.name()));
+        return Err(invalid(&error, &arguments, options.method.name()));
     }
-    let output = OutputDirectory::open(&arguments.out)?;
-    let bar = Bar::new(&cloud.name);
-    let start = Instant::now();
-    let end = cloud.end_time;
-    let run = run_cloud(&cloud, particles, &options, &[], &mut |time| bar.march(time, end))
-        .map_err(|error| invalid(&error, arguments, options.method.name()))?;
-    bar.finish();
-    let ratio = particle_options::ratio(arguments, options.eta);
-    let seconds = start.elapsed().as_secs_f64();
-    let record = record(&cloud, &options, ratio, particles, &run, seconds);
-    let name = format!("{}_{}", cloud.name, options.method.name());
-    let last = run.snapshots.last().expect("the end is always kept");
-    output.write(&format!("{name}.csv"), &cloud_csv(&cloud, last))?;
-    if !run.core.is_empty() {
-        output.write(&format!("{name}_core.csv"), &core_csv(&run))?;
-    }
-    let title = format!(
-        "{}: {}, {particles} particles, t = {}",
-        cloud.name,
-        options.method.name().to_uppercase(),
-        significant(run.time, 4)
-    );
-    if let Some(figure) = cloud_figure(&cloud, &run).map(|figure| figure.title(title)) {
-        match figure.png().and_then(|png| Ok((png, figure.svg()?))) {
-            Ok((png, svg)) => {
-                output.write(&format!("{name}.png"), &png)?;
-                output.write(&format!("{name}.svg"), svg.as_bytes())?;
-            }
-            Err(error) if run.failure.is_none() => return Err(error.into()),
-            // A state that is not finite has no picture; the table of it is still there.
-            Err(_) => {}
+    Ok(Box::new(move || {
+        let bar = Bar::new(&cloud.name);
+        let start = Instant::now();
+        let end = cloud.end_time;
+        let run = run_cloud(&cloud, particles, &options, &[], &mut |time| bar.march(time, end))
+            .map_err(|error| invalid(&error, &arguments, options.method.name()))?;
+        bar.finish();
+        let ratio = particle_options::ratio(&arguments, options.eta);
+        let seconds = start.elapsed().as_secs_f64();
+        let record = record(&cloud, &options, ratio, particles, &run, seconds);
+        let last = run.snapshots.last().expect("the end is always kept");
+        let mut files = vec![(".csv".into(), cloud_csv(&cloud, last))];
+        if !run.core.is_empty() {
+            files.push(("_core.csv".into(), core_csv(&run)));
         }
-    }
-    print_record("run", &record, &table(&record), arguments.format)?;
-    if arguments.format == Format::Table {
-        print(&crate::cli::output::warnings(&record.run.warnings))?;
-        let path = output.path().join(&name);
-        print(&format!("\nprofile and figure: {}.csv, .png, .svg\n", path.display()))?;
-    }
-    Ok(if run.failure.is_none() { Outcome::Yes } else { Outcome::No })
+        let title = format!(
+            "{}: {}, {particles} particles, t = {}",
+            cloud.name,
+            options.method.title(),
+            significant(run.time, 4)
+        );
+        let figure = cloud_figure(&cloud, &run).map(|figure| figure.title(title));
+        let table = table(&record);
+        Answer::new(Record::Cloud(record), table, files, figure)
+    }))
 }

@@ -1,15 +1,16 @@
 //! Flows in two and three dimensions on particles.
 
+use super::answer::{Answer, Record, method_title};
+use super::choices::one;
 use super::particle_options::{self, eos, invalid};
-use super::{Arguments, Entry, Family};
-use crate::cli::output::{Format, print, print_record, warnings};
+use super::{Arguments, Entry, Family, Start};
+use crate::cli::numbers::Names;
 use crate::cli::progress::Bar;
-use crate::cli::{Failure, Outcome, names, numbers};
+use crate::cli::{Failure, names, numbers};
 use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::to_f64;
 use courant::reports::field_profile::{field_figure, history_csv, profile_csv};
 use courant::reports::number::{finite, significant};
-use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
 use courant::reports::table::{Align, Table};
 use courant::simulation::field::{FieldRun, FieldScene, run_field};
@@ -20,41 +21,41 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-pub const FAMILY: Family = Family { scenes, methods: Vec::new, run };
+pub const FAMILY: Family = Family { scenes, methods: Vec::new, plan };
 
 /// Options of the scenes in two and three dimensions alone.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct Options {
     /// Two and three dimensions: how the particles stand at the start: square, hexagonal, cubic, bcc, fcc, hcp (default: the scene's own).
-    #[arg(long)]
-    lattice: Option<String>,
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub lattice: Vec<String>,
     /// Two and three dimensions, sph1 and sph2: what tells shear from compression in the viscosity (default: none).
-    #[arg(long, value_enum)]
-    switch: Option<SwitchName>,
+    #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
+    pub switch: Vec<SwitchName>,
     /// Two and three dimensions: steps in blocks, halved at most N times (default: one step for everybody; needs centred-euler).
-    #[arg(long, value_name = "N", value_parser = levels)]
-    levels: Option<usize>,
+    #[arg(long, value_name = "LIST", value_parser = levels)]
+    pub levels: Option<Names<usize>>,
 }
 
 /// Switches by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum SwitchName {
+pub enum SwitchName {
     /// Viscosity between all approaching particles.
     None,
     /// Balsara's factor.
     Balsara,
 }
 
-fn levels(text: &str) -> Result<usize, String> {
-    numbers::count(text, 0, 20)
+fn levels(text: &str) -> Result<Names<usize>, String> {
+    numbers::counts(text, 0, 20)
 }
 
 impl Options {
     /// The first option given, as an error for a scene on a line.
     pub fn reject(&self, scene: &str) -> Result<(), Failure> {
         let given = [
-            ("--lattice", self.lattice.is_some()),
-            ("--switch", self.switch.is_some()),
+            ("--lattice", !self.lattice.is_empty()),
+            ("--switch", !self.switch.is_empty()),
             ("--levels", self.levels.is_some()),
         ];
         match given.into_iter().find(|(_, given)| *given) {
@@ -91,11 +92,11 @@ impl Plan {
     fn new(arguments: &Arguments) -> Result<Self, Failure> {
         let method = particle_options::method(arguments)?;
         let mut scene =
-            FieldScene::named(&arguments.scene).expect("the family answers for its own scenes");
-        if let Some(time) = &arguments.time {
+            FieldScene::named(arguments.scene()).expect("the family answers for its own scenes");
+        if let Some(time) = arguments.time() {
             scene.end_time = to_f64(time);
         }
-        if let Some(name) = &arguments.fields.lattice {
+        if let Some(name) = arguments.fields.lattice.first() {
             let fitting = Lattice::ALL.into_iter().filter(|l| l.dimension() == scene.dimension);
             let known: Vec<&str> = fitting.clone().map(Lattice::name).collect();
             scene.lattice =
@@ -107,7 +108,7 @@ impl Plan {
         }
         let mut options = scene.options(method);
         particle_options::choose(arguments, &mut options)?;
-        if arguments.fields.switch == Some(SwitchName::Balsara) {
+        if arguments.fields.switch.contains(&SwitchName::Balsara) {
             if method.is_godunov() {
                 return Err(Failure::Message(format!(
                     "--switch balsara: {} has no artificial viscosity; it belongs to sph1 and sph2",
@@ -116,10 +117,10 @@ impl Plan {
             }
             options.viscosity.acts_on = ActsOn::Compressing;
         }
-        if let Some(levels) = arguments.fields.levels {
-            options.sharing = StepSharing::Block { levels: levels as u32 };
+        if let Some(levels) = one(&arguments.fields.levels) {
+            options.sharing = StepSharing::Block { levels: *levels as u32 };
         }
-        let particles = arguments.particles.unwrap_or(scene.particles);
+        let particles = arguments.particles().unwrap_or(scene.particles);
         if particles < 100 {
             let error = InvalidOptions::Particles { particles, least: 100 };
             return Err(invalid(&error, arguments, method.name()));
@@ -132,10 +133,12 @@ impl Plan {
 
 /// The record with what only these runs have.
 #[derive(Debug, Serialize)]
-struct FieldRecord {
+pub struct FieldRecord {
+    /// What every run has.
     #[serde(flatten)]
-    run: RunRecord,
-    measures: BTreeMap<&'static str, Option<f64>>,
+    pub run: RunRecord,
+    /// What the scene is judged by.
+    pub measures: BTreeMap<&'static str, Option<f64>>,
     dimension: usize,
     eos: String,
     lattice: &'static str,
@@ -214,7 +217,7 @@ fn table(record: &FieldRecord) -> Table {
     let caption = format!(
         "{} with {}, {} dimensions, {}, {} particles on a {} lattice, {} at {} spacings: {outcome}",
         run.scene,
-        run.method,
+        method_title(&run.method),
         if record.dimension == 2 { "two" } else { "three" },
         record.eos,
         run.particles,
@@ -242,46 +245,31 @@ fn table(record: &FieldRecord) -> Table {
     table
 }
 
-fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let plan = Plan::new(arguments)?;
-    let output = OutputDirectory::open(&arguments.out)?;
-    let start = Instant::now();
-    let bar = Bar::new(&plan.scene.name);
-    let mut observe = |time| bar.march(time, plan.scene.end_time);
-    let run = run_field(&plan.scene, plan.particles, &plan.options, &mut observe)
-        .map_err(|error| invalid(&error, arguments, plan.options.method.name()))?;
-    bar.finish();
-    let record = record(&plan, &run, start.elapsed().as_secs_f64());
-    let name = format!("{}_{}", plan.scene.name, plan.options.method.name());
-    output.write(&format!("{name}.csv"), &profile_csv(&run.profile))?;
-    output.write(&format!("{name}_measures.csv"), &history_csv(&run))?;
-    let title = format!(
-        "{}: {}, {}, h/Δ = {}, {} particles, t = {}",
-        plan.scene.name,
-        plan.options.method.name().to_uppercase(),
-        plan.options.kernel.title(),
-        plan.ratio,
-        run.profile.len(),
-        significant(run.time, 4)
-    );
-    let figure = field_figure(&plan.scene, &run).title(title);
-    match figure.png().and_then(|png| Ok((png, figure.svg()?))) {
-        Ok((png, svg)) => {
-            output.write(&format!("{name}.png"), &png)?;
-            output.write(&format!("{name}.svg"), svg.as_bytes())?;
-        }
-        Err(error) if run.completed() => return Err(error.into()),
-        Err(_) => {}
-    }
-    let outcome = if run.completed() { Outcome::Yes } else { Outcome::No };
-    print_record("run", &record, &table(&record), arguments.format)?;
-    if arguments.format == Format::Table {
-        print(&warnings(&record.run.warnings))?;
-        let path = output.path().join(&name);
-        print(&format!(
-            "\nparticles, measures and figure: {}.csv, _measures.csv, .png, .svg\n",
-            path.display()
-        ))?;
-    }
-    Ok(outcome)
+fn plan(arguments: Arguments) -> Result<Start, Failure> {
+    let plan = Plan::new(&arguments)?;
+    Ok(Box::new(move || {
+        let start = Instant::now();
+        let bar = Bar::new(&plan.scene.name);
+        let mut observe = |time| bar.march(time, plan.scene.end_time);
+        let run = run_field(&plan.scene, plan.particles, &plan.options, &mut observe)
+            .map_err(|error| invalid(&error, &arguments, plan.options.method.name()))?;
+        bar.finish();
+        let record = record(&plan, &run, start.elapsed().as_secs_f64());
+        let files = vec![
+            (".csv".into(), profile_csv(&run.profile)),
+            ("_measures.csv".into(), history_csv(&run)),
+        ];
+        let title = format!(
+            "{}: {}, {}, h/Δ = {}, {} particles, t = {}",
+            plan.scene.name,
+            plan.options.method.title(),
+            plan.options.kernel.title(),
+            plan.ratio,
+            run.profile.len(),
+            significant(run.time, 4)
+        );
+        let figure = field_figure(&plan.scene, &run).title(title);
+        let table = table(&record);
+        Answer::new(Record::Field(record), table, files, Some(figure))
+    }))
 }

@@ -1,15 +1,14 @@
 //! Scenes and methods of one-dimensional gas dynamics.
 
+use super::answer::{Answer, Record, method_title};
 use super::particle_options::{self, invalid};
-use super::{Arguments, Entry, Family, no_method};
-use crate::cli::output::{Format, print, print_record, warnings};
+use super::{Arguments, Entry, Family, Start, no_method};
 use crate::cli::progress::Bar;
-use crate::cli::{Failure, Outcome, names};
+use crate::cli::{Failure, names};
 use courant::analysis::exact::rational::{Rational, to_f64, to_text};
 use courant::reports::gas_run;
 use courant::reports::number::{exact_text, significant};
 use courant::reports::particle_profile::{profile_csv, profile_figure};
-use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::RunRecord;
 use courant::reports::table::{Align, Table};
 use courant::simulation::comparison::Comparison;
@@ -23,7 +22,7 @@ use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
 
-pub const FAMILY: Family = Family { scenes, methods, run };
+pub const FAMILY: Family = Family { scenes, methods, plan };
 
 fn scenes() -> Vec<Entry> {
     let own = Entry {
@@ -82,60 +81,46 @@ fn methods() -> Vec<Entry> {
     Method::NAMES.map(describe).to_vec()
 }
 
-fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let scene = scene(arguments)?;
-    let method = method(arguments, scene.method.as_deref())?;
-    let particles = arguments.particles.unwrap_or(scene.particles);
-    method.check(&scene, particles).map_err(|error| invalid(&error, arguments, method.name()))?;
-    let output = OutputDirectory::open(&arguments.out)?;
-    let bar = Bar::new(&scene.name);
-    let start = Instant::now();
-    let run = method
-        .run_with(&scene, particles, |time| bar.march(time, scene.end_time))
-        .map_err(|error| invalid(&error, arguments, method.name()))?;
-    let seconds = start.elapsed().as_secs_f64();
-    bar.finish();
-    let record = GasRecord::new(
-        gas_run::record(&scene, &method, particles, &run, seconds),
-        &method,
-        &run,
-        arguments.ratio.as_ref(),
-    );
-    let exact = gas_run::exact_holds(&scene, run.time).is_ok();
-    let outcome = if run.completed() { "" } else { ": failed" };
-    let title = format!(
-        "{}: {}, t = {}{outcome}",
-        scene.name,
-        gas_run::method_title(method.name()),
-        significant(run.time, 4)
-    );
-    let figure = profile_figure(&scene, &run, exact).title(title);
-    let stem = format!("{}_{}", file_stem(&scene.name), method.name());
-    let mut files = vec![("csv", profile_csv(&scene, &run, exact))];
-    match figure.png().and_then(|png| Ok((png, figure.svg()?))) {
-        Ok((png, svg)) => files.extend([("png", png), ("svg", svg.into_bytes())]),
-        Err(error) if run.completed() => return Err(error.into()),
-        // A state that is not finite has no picture; the table of it is still there.
-        Err(_) => {}
-    }
-    let mut written = String::new();
-    for (ending, bytes) in files {
-        let path = output.write(&format!("{stem}.{ending}"), &bytes)?;
-        written.push_str(&format!("wrote {}\n", path.display()));
-    }
-    print_record("run", &record, &table(&scene, &method, &run, &record), arguments.format)?;
-    if arguments.format == Format::Table {
-        print(&warnings(&record.run.warnings))?;
-        print(&written)?;
-    }
-    Ok(if run.completed() { Outcome::Yes } else { Outcome::No })
+fn plan(arguments: Arguments) -> Result<Start, Failure> {
+    let scene = scene(&arguments)?;
+    let method = method(&arguments, scene.method.as_deref())?;
+    let particles = arguments.particles().unwrap_or(scene.particles);
+    method.check(&scene, particles).map_err(|error| invalid(&error, &arguments, method.name()))?;
+    Ok(Box::new(move || {
+        let bar = Bar::new(&scene.name);
+        let start = Instant::now();
+        let run = method
+            .run_with(&scene, particles, |time| bar.march(time, scene.end_time))
+            .map_err(|error| invalid(&error, &arguments, method.name()))?;
+        let seconds = start.elapsed().as_secs_f64();
+        bar.finish();
+        let record = GasRecord::new(
+            gas_run::record(&scene, &method, particles, &run, seconds),
+            &method,
+            &run,
+            arguments.ratio(),
+        );
+        let exact = gas_run::exact_holds(&scene, run.time).is_ok();
+        let outcome = if run.completed() { "" } else { ": failed" };
+        let title = format!(
+            "{}: {}, t = {}{outcome}",
+            scene.name,
+            method.title(),
+            significant(run.time, 4)
+        );
+        let figure = profile_figure(&scene, &run, exact).title(title);
+        let files = vec![(".csv".into(), profile_csv(&scene, &run, exact))];
+        let table = table(&scene, &method, &run, &record);
+        Answer::new(Record::Gas(record), table, files, Some(figure))
+    }))
 }
 
 /// The record with what the method was set to, and its work.
 #[derive(Debug, Serialize)]
-struct GasRecord {
+pub struct GasRecord {
+    /// What every run has.
     #[serde(flatten)]
-    run: RunRecord,
+    pub run: RunRecord,
     /// Only for methods with a kernel.
     #[serde(skip_serializing_if = "Option::is_none")]
     kernel: Option<&'static str>,
@@ -192,12 +177,6 @@ impl GasRecord {
     }
 }
 
-/// A scene name as part of a file name.
-fn file_stem(name: &str) -> String {
-    let plain = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
-    name.chars().map(plain).collect()
-}
-
 /// An option that the method does not have.
 fn unused(option: &str, value: &str, method: &str) -> Failure {
     Failure::Message(format!(
@@ -206,15 +185,15 @@ fn unused(option: &str, value: &str, method: &str) -> Failure {
 }
 
 fn method(arguments: &Arguments, customary: Option<&str>) -> Result<Method, Failure> {
-    let Some(name) = arguments.method.as_deref().or(customary) else {
+    let Some(name) = arguments.method().or(customary) else {
         return Err(Failure::Message(format!(
             "--method is required for {}; accepted: {}",
-            arguments.scene,
+            arguments.scene(),
             Method::NAMES.join(", ")
         )));
     };
     let mut method =
-        Method::named(name).ok_or_else(|| no_method(name, &arguments.scene, &Method::NAMES))?;
+        Method::named(name).ok_or_else(|| no_method(name, arguments.scene(), &Method::NAMES))?;
     let choices = &arguments.choices;
     let has: &[&str] = match &method {
         Method::Particles(options) => particle_options::accepted(options.method),
@@ -224,21 +203,21 @@ fn method(arguments: &Arguments, customary: Option<&str>) -> Result<Method, Fail
         Method::FiniteVolume(_) | Method::Lagrangian(_) => &[],
     };
     choices.only(has, name)?;
-    let cfl = arguments.cfl.as_ref().map(to_f64);
+    let cfl = arguments.cfl().map(to_f64);
     match &mut method {
         Method::FiniteVolume(options) => {
-            if let Some(kernel) = arguments.kernel {
+            if let Some(kernel) = arguments.kernel() {
                 return Err(unused("--kernel", kernel.name(), name));
             }
-            if let Some(ratio) = &arguments.ratio {
+            if let Some(ratio) = arguments.ratio() {
                 return Err(unused("--ratio", &to_text(ratio), name));
             }
             options.cfl = cfl.unwrap_or(options.cfl);
         }
         Method::Lagrangian(options) => {
             options.cfl = cfl.unwrap_or(options.cfl);
-            options.kernel = arguments.kernel.unwrap_or(options.kernel);
-            options.ratio = arguments.ratio.as_ref().map_or(options.ratio, to_f64);
+            options.kernel = arguments.kernel().unwrap_or(options.kernel);
+            options.ratio = arguments.ratio().map_or(options.ratio, to_f64);
             if let Flux::ModifiedRoe(roe) = &mut options.flux {
                 *roe = choices.roe(*roe);
             }
@@ -249,7 +228,7 @@ fn method(arguments: &Arguments, customary: Option<&str>) -> Result<Method, Fail
 }
 
 fn scene(arguments: &Arguments) -> Result<Scene, Failure> {
-    let name = arguments.scene.as_str();
+    let name = arguments.scene();
     let mut scene = if name.ends_with(".toml") {
         read(name)?
     } else {
@@ -258,7 +237,7 @@ fn scene(arguments: &Arguments) -> Result<Scene, Failure> {
         Scene::named(name)
             .ok_or_else(|| Failure::Message(format!("SCENE {name}: {}", problem())))?
     };
-    if let Some(time) = &arguments.time {
+    if let Some(time) = arguments.time() {
         scene.end_time = to_f64(time);
     }
     Ok(scene)
@@ -290,7 +269,7 @@ fn table(scene: &Scene, method: &Method, run: &Run, record: &GasRecord) -> Table
         "{} ({}), {}: {}",
         scene.name,
         scene.source,
-        gas_run::method_title(method.name()),
+        method_title(method.name()),
         record.settings
     );
     let mut table = Table::new(caption, &[("", Align::Left), ("", Align::Right)]);

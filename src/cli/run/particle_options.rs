@@ -11,8 +11,8 @@ use courant::simulation::scene::Material;
 
 /// The method that was asked for, of those that run in any dimension.
 pub fn method(arguments: &Arguments) -> Result<ParticleMethod, Failure> {
-    let (all, scene) = (ParticleMethod::ALL.map(ParticleMethod::name), &arguments.scene);
-    let name = arguments.method.as_deref().ok_or_else(|| {
+    let (all, scene) = (ParticleMethod::ALL.map(ParticleMethod::name), arguments.scene());
+    let name = arguments.method().ok_or_else(|| {
         Failure::Message(format!("--method is required for {scene}; accepted: {}", all.join(", ")))
     })?;
     let mut known = ParticleMethod::ALL.into_iter();
@@ -31,15 +31,15 @@ pub fn accepted(method: ParticleMethod) -> &'static [&'static str] {
 pub fn choose(arguments: &Arguments, options: &mut MethodOptions) -> Result<(), Failure> {
     let choices = &arguments.choices;
     choices.only(accepted(options.method), options.method.name())?;
-    if let Some(kernel) = arguments.kernel {
+    if let Some(kernel) = arguments.kernel() {
         options.kernel = kernel;
         if kernel == Kernel::Gaussian && options.estimation.is_none() {
             // The ratio that keeps lattice points off the cut, as for the method that brings it.
             options.eta = MethodOptions::new(ParticleMethod::Gph4).eta;
         }
     }
-    options.eta = arguments.ratio.as_ref().map_or(options.eta, to_f64);
-    options.courant = arguments.cfl.as_ref().map_or(options.courant, to_f64);
+    options.eta = arguments.ratio().map_or(options.eta, to_f64);
+    options.courant = arguments.cfl().map_or(options.courant, to_f64);
     options.integrator = choices.integrator(options.integrator);
     options.work = choices.work(options.work);
     options.solver = choices.solver(options.solver);
@@ -50,7 +50,7 @@ pub fn choose(arguments: &Arguments, options: &mut MethodOptions) -> Result<(), 
 
 /// The smoothing length over the spacing, as it was typed.
 pub fn ratio(arguments: &Arguments, used: f64) -> String {
-    arguments.ratio.as_ref().map_or_else(|| exact_text(used), to_text)
+    arguments.ratio().map_or_else(|| exact_text(used), to_text)
 }
 
 /// The equation of state, in words.
@@ -65,7 +65,7 @@ pub fn eos(material: Material) -> String {
 pub fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &str) -> Failure {
     Failure::Message(match error {
         InvalidOptions::Lattice(error) => {
-            let ratio = arguments.ratio.as_ref().map_or_else(String::new, to_text);
+            let ratio = arguments.ratio().map_or_else(String::new, to_text);
             format!("--ratio {ratio}: {error}")
         }
         InvalidOptions::Kernel(kernel) => format!(
@@ -74,7 +74,7 @@ pub fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &str) -> F
         InvalidOptions::Particles { particles, least } => {
             format!(
                 "--particles {particles}: {method} needs at least {least} for {}",
-                arguments.scene
+                arguments.scene()
             )
         }
         InvalidOptions::NotPositive { name, value } => {
@@ -84,7 +84,7 @@ pub fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &str) -> F
             format!("--integrator {name}: --levels needs centred-euler")
         }
         InvalidOptions::TooMuch { .. } => {
-            format!("SCENE {}, --method {method}: {error}", arguments.scene)
+            format!("SCENE {}, --method {method}: {error}", arguments.scene())
         }
         other => format!("--method {method}: {other}"),
     })

@@ -3,7 +3,6 @@
 use super::runs::{Plan, Runs, every_method, scene};
 use super::{Detail, text};
 use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
-use crate::gas_run::method_title;
 use crate::number::significant;
 use crate::page::Item;
 use crate::{cells, words};
@@ -51,7 +50,7 @@ pub(super) fn items(runs: &Runs, detail: Detail) -> [Item; 2] {
             curve.extend(error.map(|error| (pairs as f64, error)));
             before = error;
         }
-        let (color, label) = (Color::qualitative(i), method_title(method.name()));
+        let (color, label) = (Color::qualitative(i), method.title());
         panel = panel
             .layer(Series::line(curve.clone()).color(color).dash(Dash::nth(i)).label(label))
             .layer(

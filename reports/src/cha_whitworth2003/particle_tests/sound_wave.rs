@@ -3,7 +3,6 @@
 use super::runs::{EARLY, Runs, Solved};
 use super::text;
 use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
-use crate::gas_run::method_title;
 use crate::page::Item;
 use crate::particle_profile::{Quantity, exact_line, profile_csv};
 use crate::words;
@@ -73,7 +72,7 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
     });
     let figure = Figure::grid(2, 1)
         .size(5.6, 5.7)
-        .title(format!("Isothermal sound wave, {}", method_title(method.name())))
+        .title(format!("Isothermal sound wave, {}", method.title()))
         .panels(panels);
     text().figure(&name, words!["caption" = caption], figure, data.collect())
 }

@@ -2,7 +2,6 @@
 
 use super::runs::{Runs, Solved};
 use super::{CASES, text};
-use crate::gas_run::method_title;
 use crate::page::Section;
 use crate::particle_profile::{profile_csv, profile_figure};
 use crate::words;
@@ -48,7 +47,7 @@ pub(super) fn section(runs: &Runs, (scene, first, initial): Tube) -> Section {
         );
         let data = vec![(format!("{name}.csv"), profile_csv(scene, run, solved.has_exact()))];
         let figure = profile_figure(scene, run, solved.has_exact())
-            .title(format!("{of}, {}, {outcome}", method_title(method.name())));
+            .title(format!("{of}, {}, {outcome}", method.title()));
         text().figure(&name, words!["caption" = caption], figure, data)
     });
     text().section(&title, figures.collect())

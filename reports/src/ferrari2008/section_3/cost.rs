@@ -4,7 +4,6 @@ use super::runs::{METHODS, compare, method, tube};
 use super::{panel_title, text};
 use crate::cells;
 use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
-use crate::gas_run;
 use crate::number::significant;
 use crate::page::Item;
 use crate::timing::timed;
@@ -117,12 +116,13 @@ pub fn curve(panel: Panel, name: &str, index: usize, points: Vec<(f64, f64)>) ->
     if points.is_empty() {
         return panel;
     }
-    let (color, name) = (Color::qualitative(index), gas_run::method_title(name));
-    panel.layer(Series::line(points.iter().copied()).color(color).width(0.9).label(name)).layer(
+    let title = method(name).title();
+    let color = Color::qualitative(index);
+    panel.layer(Series::line(points.iter().copied()).color(color).width(0.9).label(title)).layer(
         Series::markers(points, Marker::nth(index))
             .color(color)
             .fill(Color::WHITE)
             .size(3.6)
-            .label(name),
+            .label(title),
     )
 }

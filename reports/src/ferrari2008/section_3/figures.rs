@@ -25,7 +25,7 @@ pub fn sections(runs: &Runs) -> Vec<Section> {
                     Some(failure) => items.push(text().paragraph(
                         "run_failed",
                         words![
-                            "method" = gas_run::method_title(name),
+                            "method" = run.method.title(),
                             "test" = test,
                             "particles" = run.run.profile.len(),
                             "settings" = gas_run::settings(&run.method),
@@ -41,7 +41,7 @@ pub fn sections(runs: &Runs) -> Vec<Section> {
 
 fn figure(run: &TestRun, number: usize) -> Item {
     let TestRun { test, method, tube, run, comparison } = run;
-    let title = format!("Figure {number}. Test {test}: {}", gas_run::method_title(method.name()));
+    let title = format!("Figure {number}. Test {test}: {}", method.title());
     let kind = if !run.profile.mass.is_empty() { "particles" } else { "cells" };
     let name = format!("figure_{number:02}");
     let caption = text().text(

@@ -1,0 +1,220 @@
+//! What a run leaves: its record, its files, and all of them in one table.
+
+use super::clouds::CloudRecord;
+use super::fields::FieldRecord;
+use super::gas::GasRecord;
+use crate::cli::Failure;
+use crate::cli::output::{Format, paragraphs, print, print_records, warnings};
+use courant::reports::advection_profile::AdvectionRecord;
+use courant::reports::figure::Figure;
+use courant::reports::number::significant;
+use courant::reports::publish::OutputDirectory;
+use courant::reports::run_record::RunRecord;
+use courant::reports::table::{Align, Table};
+use courant::simulation::advection::AdvectionScheme;
+use courant::simulation::method::Method;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// The record of any run.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Record {
+    /// Of an advected quantity.
+    Advection(AdvectionRecord),
+    /// Of a gas on a line.
+    Gas(GasRecord),
+    /// Of a flow.
+    Field(FieldRecord),
+    /// Of a sphere of gas.
+    Cloud(CloudRecord),
+}
+
+impl Record {
+    /// What all have.
+    pub fn run(&self) -> &RunRecord {
+        match self {
+            Self::Advection(record) => &record.run,
+            Self::Gas(record) => &record.run,
+            Self::Field(record) => &record.run,
+            Self::Cloud(record) => &record.run,
+        }
+    }
+
+    /// What the scene is judged by beside error norms.
+    fn measures(&self) -> Vec<(&'static str, Option<f64>)> {
+        match self {
+            Self::Advection(_) | Self::Gas(_) => Vec::new(),
+            Self::Field(record) => record.measures.iter().map(|(k, v)| (*k, *v)).collect(),
+            Self::Cloud(record) => record.measures.iter().map(|(k, v)| (*k, Some(*v))).collect(),
+        }
+    }
+}
+
+/// What a run leaves.
+#[derive(Debug)]
+pub struct Answer {
+    /// For machines.
+    pub record: Record,
+    /// For people, where it is the only one.
+    table: Table,
+    /// Endings of the names of files, and what is in them.
+    files: Vec<(String, Vec<u8>)>,
+    /// The options with several values, and those of this run.
+    pub choices: Vec<(&'static str, String)>,
+    written: Vec<PathBuf>,
+}
+
+impl Answer {
+    /// What a run leaves, with the picture where there is one.
+    pub fn new(
+        record: Record,
+        table: Table,
+        mut files: Vec<(String, Vec<u8>)>,
+        figure: Option<Figure>,
+    ) -> Result<Self, Failure> {
+        let pictures = figure.map(|figure| figure.png().and_then(|png| Ok((png, figure.svg()?))));
+        match pictures.transpose() {
+            Ok(pictures) => {
+                files.extend(pictures.into_iter().flat_map(|(png, svg)| {
+                    [(".png".into(), png), (".svg".into(), svg.into_bytes())]
+                }))
+            }
+            Err(error) if record.run().completed => return Err(error.into()),
+            // A state that is not finite has no picture; the table of it is still there.
+            Err(_) => {}
+        }
+        Ok(Self { record, table, files, choices: Vec::new(), written: Vec::new() })
+    }
+
+    /// Writes the files: scene, method and what else is told apart are in their names.
+    pub fn write(&mut self, output: &OutputDirectory) -> Result<(), Failure> {
+        let run = self.record.run();
+        let mut stem = format!("{}_{}", run.scene, run.method);
+        for (option, value) in self.own_choices() {
+            stem.push_str(&format!("_{option}-{value}"));
+        }
+        let plain = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
+        let stem: String = stem.chars().map(plain).collect();
+        for (ending, bytes) in std::mem::take(&mut self.files) {
+            self.written.push(output.write(&format!("{stem}{ending}"), &bytes)?);
+        }
+        Ok(())
+    }
+
+    /// The choices that scene and method do not tell.
+    fn own_choices(&self) -> impl Iterator<Item = &(&'static str, String)> {
+        self.choices.iter().filter(|(option, _)| !["scene", "method"].contains(option))
+    }
+}
+
+/// The name of a method for people, and the one to type.
+pub fn method_title(name: &str) -> String {
+    let title = Method::named(name).map(|method| method.title());
+    match title.or(name.parse().ok().map(AdvectionScheme::title)) {
+        Some(title) => format!("{title} ({name})"),
+        None => name.into(),
+    }
+}
+
+/// Prints one answer line by line, several as rows.
+pub fn show(answers: &[Answer], format: Format) -> Result<(), Failure> {
+    let records: Vec<&Record> = answers.iter().map(|answer| &answer.record).collect();
+    let rows = match answers {
+        [one] => &one.table,
+        several => &rows_table(several),
+    };
+    print_records("run", &records, rows, format)?;
+    if format != Format::Table {
+        return Ok(());
+    }
+    let mut said: Vec<String> = Vec::new();
+    for answer in answers {
+        let name = |(option, value): &(&str, String)| match *option {
+            "scene" | "method" => value.clone(),
+            _ => format!("{option} {value}"),
+        };
+        let names: Vec<String> = answer.choices.iter().map(name).collect();
+        let of = if names.is_empty() { String::new() } else { names.join(", ") + ": " };
+        let run = answer.record.run();
+        let failure = run.failure.iter().filter(|_| answers.len() > 1);
+        said.extend(failure.map(|why| format!("{of}broke down: {why}")));
+        said.extend(run.warnings.iter().map(|warning| format!("{of}{warning}")));
+    }
+    print(&warnings(&said))?;
+    let written: Vec<&PathBuf> = answers.iter().flat_map(|answer| &answer.written).collect();
+    let lines: Vec<String> = match (answers, written.as_slice()) {
+        ([_], files) => files.iter().map(|path| format!("wrote {}", path.display())).collect(),
+        (_, [first, ..]) => {
+            let place = first.parent().unwrap_or(first);
+            vec![format!("wrote {} files to {}", written.len(), place.display())]
+        }
+        (_, []) => Vec::new(),
+    };
+    match lines.is_empty() {
+        true => Ok(()),
+        false => print(&paragraphs(&lines)).map(|_| ()),
+    }
+}
+
+/// One row a run: what was chosen, and what it found; columns that no run has are not there.
+fn rows_table(answers: &[Answer]) -> Table {
+    let rows: Vec<Row> = answers.iter().map(row).collect();
+    let mut columns: Vec<(&str, Align)> = Vec::new();
+    for (name, _, align) in rows.iter().flatten() {
+        if !columns.iter().any(|(known, _)| known == name) {
+            columns.push((name, *align));
+        }
+    }
+    let first = answers[0].record.run();
+    let varies = |option| answers[0].choices.iter().any(|(one, _)| *one == option);
+    let caption = [
+        Some(first.scene.clone()).filter(|_| !varies("scene")),
+        Some(method_title(&first.method)).filter(|_| !varies("method")),
+        Some(format!("{} runs", answers.len())),
+    ];
+    let caption: Vec<String> = caption.into_iter().flatten().collect();
+    let keys = columns.iter().take_while(|(name, _)| *name != "steps").count();
+    let mut table = Table::new(caption.join(", "), &columns).keyed(keys);
+    for row in &rows {
+        table.push(columns.iter().map(|(name, _)| {
+            let cell = row.iter().find(|(known, ..)| known == name);
+            cell.map_or_else(|| "–".to_string(), |(_, value, _)| value.clone())
+        }));
+    }
+    table
+}
+
+/// Headings and cells of a run.
+type Row = Vec<(String, String, Align)>;
+
+fn row(answer: &Answer) -> Row {
+    let run = answer.record.run();
+    let mut cells = Row::new();
+    // The record has these, of every run.
+    let own = |(option, _): &&(&str, String)| !["particles", "time"].contains(option);
+    for (option, value) in answer.choices.iter().filter(own) {
+        let is_number = value.starts_with(|c: char| c.is_ascii_digit());
+        let align = if is_number { Align::Right } else { Align::Left };
+        let shown = if *option == "method" { method_title(value) } else { value.clone() };
+        cells.push(((*option).into(), shown, align));
+    }
+    let mut add = |name: &str, value: String| cells.push((name.into(), value, Align::Right));
+    add("particles", run.particles.to_string());
+    add("time", significant(run.time, 5));
+    add("steps", run.steps.to_string());
+    let norms = [
+        ("L1", run.l1.value),
+        ("L1 density", run.l1.density),
+        ("L1 velocity", run.l1.velocity),
+        ("L1 pressure", run.l1.pressure),
+        ("L1 energy", run.l1.energy),
+    ];
+    for (name, value) in norms.into_iter().chain(answer.record.measures()) {
+        if let Some(value) = value {
+            add(&name.replace('_', " "), significant(value, 4));
+        }
+    }
+    add("seconds", significant(run.wall_seconds, 3));
+    cells
+}
