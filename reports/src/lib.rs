@@ -1,7 +1,8 @@
 //! Tables, figures and reports: what turns computed results into documents.
 //!
 //! [`figure`] draws: plain data in, PNG or SVG bytes out. [`table`] sets numbers, [`page`] puts both into a
-//! report, [`publish`] writes files whole or not at all. Each paper has a module of its own.
+//! report, [`publish`] writes files whole or not at all. [`study`] looks at schemes and scenes for any report; each paper has a
+//! module of its own for what is special to it.
 
 pub mod advection_profile;
 pub mod advection_validation;
@@ -26,9 +27,11 @@ pub mod particle_validation;
 pub mod plane_map;
 pub mod publish;
 pub mod record;
+pub mod report;
 pub mod run_record;
 pub mod stability_map;
 pub mod step_map;
+pub mod study;
 pub mod subject;
 pub mod symbol;
 pub mod table;

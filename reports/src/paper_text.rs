@@ -29,6 +29,7 @@ use crate::figure::Figure;
 use crate::page::{Item, Section};
 use crate::table::{Align, Cell, Table};
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 /// The cells of a row, from whatever can be displayed.
 #[macro_export]
@@ -85,8 +86,8 @@ pub struct Paper {
     pub summary: String,
 }
 
-/// The words of the report on a paper.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+/// The words of the report on a paper, and what its studies look at.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PaperText {
     command: String,
@@ -94,6 +95,8 @@ pub struct PaperText {
     pub paper: Paper,
     #[serde(rename = "item")]
     items: Vec<ItemText>,
+    #[serde(default)]
+    study: toml::Table,
 }
 
 impl PaperText {
@@ -119,6 +122,16 @@ impl PaperText {
     pub fn part_of(&self, name: &str) -> Option<&str> {
         let until = self.items.iter().position(|item| item.name == name)?;
         self.items[..=until].iter().rev().find_map(|item| item.part.as_deref())
+    }
+
+    /// What a study looks at: the table `[study.NAME]`.
+    ///
+    /// # Panics
+    /// When it is not there or not what the study needs: a fault of the report.
+    pub fn plan<T: DeserializeOwned>(&self, study: &str) -> T {
+        let table = self.study.get(study).cloned();
+        let table = table.unwrap_or_else(|| panic!("the report has no plan of `{study}`"));
+        table.try_into().unwrap_or_else(|error| panic!("the plan of `{study}`: {error}"))
     }
 
     fn item(&self, name: &str) -> &ItemText {

@@ -1,8 +1,8 @@
 //! The parts of a report: made side by side, written as they are finished, in the order of their page.
 
-use crate::ferrari2008::ReportError;
 use crate::page::{About, Page, Section};
 use crate::publish::OutputDirectory;
+use crate::report::ReportError;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 

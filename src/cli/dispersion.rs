@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Smoothing ratios h/Δ: 1.2 or 1,3/2 or 1:2:0.1, read exactly.
     #[arg(long, allow_hyphen_values = true, value_parser = numbers::ratio_list)]
     ratio: Numbers,
-    /// Wave numbers κΔ in radians per spacing, from 0 to 2π: 0.1:3.1:0.1. The shortest wave is π.
+    /// Wave numbers κΔ in radians per spacing, from 0 to 2π: 0.1:3.1:0.1 or pi/8:pi:pi/8. The shortest wave is π.
     #[arg(long, allow_hyphen_values = true, value_parser = kappa_list)]
     kappa: Numbers,
     /// Coefficients of viscosity of sph-av (default: 1).
@@ -59,7 +59,7 @@ pub struct Arguments {
 
 /// Wave numbers in radians per spacing.
 pub fn kappa_list(text: &str) -> Result<Numbers, String> {
-    let numbers = numbers::list(text)?;
+    let numbers = numbers::angles(text)?;
     match numbers.0.iter().find(|k| k.is_negative() || to_f64(k) > 2.0 * std::f64::consts::PI) {
         Some(kappa) => {
             Err(format!("{} is out of range: from 0 to 2π radians per spacing", brief(kappa)))

@@ -3,9 +3,9 @@
 use super::names;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use courant::analysis::scheme::SchemeError;
-use courant::reports::ferrari2008::ReportError;
 use courant::reports::figure::FigureError;
 use courant::reports::publish::PublishError;
+use courant::reports::report::ReportError;
 
 /// Why a command gave no result.
 #[derive(Debug)]

@@ -55,6 +55,8 @@ pub fn elsewhere(name: &str, option: Option<Kind>) -> Option<String> {
         "it is a method whose waves are judged (--method of limits, check, dispersion)"
     } else if Integrator::named(name).is_some() {
         "it is an integrator (--integrator)"
+    } else if name.parse::<Kernel>().is_ok() {
+        "it is a kernel (--kernel)"
     } else if option == Some(Kind::Method)
         && run::methods().iter().any(|one| spells(name, one.name))
     {
@@ -95,7 +97,7 @@ pub fn nearest<'a>(text: &str, names: impl Iterator<Item = &'a str>) -> Option<&
 /// is how the other begins.
 fn nearness(text: &str, name: &str) -> Option<usize> {
     let wanted = text.to_ascii_lowercase();
-    let begins = wanted.len() >= 3 && name.starts_with(&wanted);
+    let begins = wanted.len() >= 3 && name != wanted && name.starts_with(&wanted);
     let steps = if begins { 1 } else { distance(&wanted, name) };
     (steps <= 1 + name.len().min(wanted.len()) / 4).then_some(steps)
 }
@@ -172,5 +174,6 @@ mod tests {
         let key = misspelt_key("unknown field `equation`, expected one of `name`, `equations`");
         assert!(key.ends_with("did you mean `equations`?"), "{key}");
         assert!(!kernel("zzz").unwrap_err().contains("did you mean"));
+        assert_eq!(nearest("GPH3", ["gph1", "gph3", "gph33"].into_iter()), Some("gph3"));
     }
 }

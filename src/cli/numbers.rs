@@ -1,7 +1,8 @@
 //! Numbers, lists and ranges, read exactly: `1,2,3`, `1:10:0.5` (inclusive), `3/2`.
 
-use courant::analysis::exact::rational::{Rational, integer, parse, to_f64};
+use courant::analysis::exact::rational::{Rational, from_f64, integer, parse, ratio, to_f64};
 use courant::analysis::kernel::lattice::{MAX_INVERSE_RATIO, MAX_RATIO, RatioOutOfRange};
+use courant::analysis::scheme::catalogue::approximate;
 use courant::reports::subject::brief;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::collections::HashSet;
@@ -45,6 +46,20 @@ pub fn names<T: PartialEq>(
 
 /// A list or range of numbers; what is named twice counts once.
 pub fn list(text: &str) -> Result<Numbers, String> {
+    list_read(text, number)
+}
+
+/// The same of angles in radians, where `pi/8` stands for its nearest floating-point number.
+pub fn angles(text: &str) -> Result<Numbers, String> {
+    list_read(text, |one| {
+        number(one).or_else(|problem| approximate(one.trim()).and_then(from_f64).ok_or(problem))
+    })
+}
+
+fn list_read(
+    text: &str,
+    number: impl Fn(&str) -> Result<Rational, String>,
+) -> Result<Numbers, String> {
     if text.trim().is_empty() {
         return Err(
             "the list is empty; give numbers such as 1,2,3 or a range such as 1:10:0.5".into()
@@ -83,7 +98,8 @@ fn range(
     if from > to {
         return Err(format!("the range from {} to {} is empty", brief(&from), brief(&to)));
     }
-    let last = ((&to - &from) / &step).floor().to_integer();
+    // The last of a range of multiples of π may lie a rounding beyond its end.
+    let last = ((&to - &from) / &step + ratio(1, 1_000_000_000)).floor().to_integer();
     match last.to_i64().filter(|last| *last < MAX_VALUES) {
         Some(last) => {
             values.extend((0..=last).map(|index| &from + &step * integer(index)));
@@ -298,6 +314,13 @@ mod tests {
         assert_eq!(list("1:2:0.3").unwrap().0.len(), 4);
         assert_eq!(list("1,2:4:1").unwrap().0.len(), 4);
         assert_eq!(list("2,1,4/2,1:2:1").unwrap().0, [integer(2), integer(1)]);
+        let eighths = angles("pi/8:pi:pi/8").unwrap().0;
+        assert_eq!((eighths.len(), to_f64(&eighths[3])), (8, std::f64::consts::FRAC_PI_2));
+        assert_eq!(
+            (angles("0:pi:pi/10").unwrap().0.len(), angles("1,3/2").unwrap().0.len()),
+            (11, 2)
+        );
+        assert!(angles("1,px/2").unwrap_err().contains("px"));
         let read = |name: &str| Ok(name.len());
         assert_eq!(names("a,bb,c", read).unwrap().0, [1, 2]);
     }

@@ -144,6 +144,7 @@ fn a_method_that_serves_something_else_is_known() {
         ([&limits[..], &["lagrangian-roe"]].concat(), ["runs scenes", "courant run", "methods"]),
         (vec!["limits", "--scheme", "upwind-3"], ["a space", "--space", "schemes"]),
         (vec!["limits", "--scheme", "rk4"], ["an integrator", "--integrator", "schemes"]),
+        (vec!["limits", "--scheme", "gaussian"], ["a kernel", "--kernel", "schemes"]),
     ] {
         let output = courant(&arguments);
         let error = text(&output.stderr);
@@ -166,6 +167,16 @@ fn names_are_known_as_people_type_them() {
     assert_eq!(limits("WendlandC2", "KDK"), limits("wendland-c2", "kdk"));
     assert_eq!(limits("cubic_spline", "symplectic"), limits("cubic", "symplectic-euler"));
     assert_eq!(limits("m4", "leapfrogkdk"), limits("cubic", "leapfrog-kdk"));
+    let place = tempfile::tempdir().unwrap();
+    let out = ["--particles", "20", "--format", "json", "--out", place.path().to_str().unwrap()];
+    let run = |names: [&str; 4]| json(&[&names[..], &out].concat())["l1"].clone();
+    let typed = run(["run", "Sod_SPH", "--method", "LagrangianRoe"]);
+    assert_eq!(typed, run(["run", "sod-sph", "--method", "lagrangian-roe"]));
+    let kappa = |kappa: &str| {
+        let plain = ["dispersion", "--method", "sph", "--ratio", "1.2", "--format", "json"];
+        json(&[&plain[..], &["--kappa", kappa]].concat())["rows"].clone()
+    };
+    assert_eq!(kappa("pi/4:pi:pi/4")[2], kappa("pi/2")[0]);
 }
 
 #[test]

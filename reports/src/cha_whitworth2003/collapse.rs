@@ -1,11 +1,12 @@
 //! Section 5.8: collapse of the singular isothermal sphere, Table 5 and Figures 29 to 34.
 
-use super::{Detail, text};
+use super::text;
 use crate::cloud_profile::{cloud_csv, core_csv, core_panels, density_panel, radial_flow_panel};
 use crate::figure::Figure;
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::paper_text::or_dash;
+use crate::report::Detail;
 use crate::{cells, words};
 use courant_simulation::gravity::{
     Cloud, CloudRun, ExpansionWave, RATE_WINDOW, Snapshot, cloud_options, run_cloud,

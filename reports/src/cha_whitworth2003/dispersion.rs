@@ -2,18 +2,16 @@
 
 mod error_maps;
 mod godunov_forms;
-mod integrator_table;
-mod kernel_curves;
-mod step_maps;
 
-use super::{Detail, text};
+use super::text;
 use crate::part::Part;
+use crate::report::Detail;
+use crate::study::plan::lattice;
+use crate::study::{kernel_waves, stable_steps, step_maps};
 use courant_analysis::exact::rational::{Rational, ratio};
-use courant_analysis::kernel::Density;
-use courant_analysis::kernel::Kernel;
-use courant_analysis::scheme::{Integrator, LatticeMethod, catalogue};
+use courant_analysis::kernel::{Density, Kernel};
+use courant_analysis::scheme::LatticeMethod;
 use courant_analysis::waves::sweep::SweepError;
-use std::f64::consts::PI;
 
 /// The parts on waves: Figures 2 to 5, the two Godunov relations, kernels, integrators.
 pub fn parts(detail: Detail) -> Vec<Part> {
@@ -22,13 +20,13 @@ pub fn parts(detail: Detail) -> Vec<Part> {
         Part::new("Figures 2 to 5", move || section("title_errors", error_maps::items(detail)?)),
         Part::new("Godunov relations", move || section("title_forms", godunov_forms::items()?)),
         Part::new("waves by kernel", move || {
-            section("title_kernels", vec![kernel_curves::item()?])
+            section("title_kernels", vec![kernel_waves::item(text())?])
         }),
         Part::new("time steps", move || {
-            section("title_integrators", integrator_table::items(detail)?)
+            section("title_integrators", stable_steps::items(text(), detail)?)
         }),
         Part::new("maps of time steps", move || {
-            section("title_step_maps", vec![step_maps::item(detail)?])
+            section("title_step_maps", vec![step_maps::item(text(), detail)?])
         }),
     ]
 }
@@ -38,24 +36,9 @@ fn usual_ratio() -> Rational {
     ratio(6, 5)
 }
 
-fn integrator(name: &str) -> &'static Integrator {
-    Integrator::named(name).expect("it is in the catalogue")
-}
-
-/// A method of the catalogue with the density that its particles sum.
-fn lattice(name: &str, kernel: Kernel, at: &Rational) -> Result<LatticeMethod, SweepError> {
-    let method = catalogue::method(name).expect("it is in the catalogue");
-    Ok(LatticeMethod::new(method, kernel, at)?)
-}
-
 /// A method with the cubic spline and `ρ0 = M/Δ`, as the paper draws its figures.
 fn paper_lattice(name: &str, at: &Rational) -> Result<LatticeMethod, SweepError> {
     Ok(lattice(name, Kernel::CubicSpline, at)?.with_density(Density::MassPerSpacing))
-}
-
-/// `count` phases up to π, the first a `count`th of it.
-fn phases(count: usize) -> Vec<f64> {
-    (1..=count).map(|index| index as f64 * PI / count as f64).collect()
 }
 
 #[cfg(test)]
@@ -71,7 +54,7 @@ mod tests {
         for error in ["+6.4 %", "+7.9 %", "-4.3 %", "-22.2 %"] {
             assert!(caption.contains(error), "{caption}");
         }
-        let tables = integrator_table::items(Detail::Standard).unwrap();
+        let tables = stable_steps::items(text(), Detail::Standard).unwrap();
         let Item::Table { table, .. } = &tables[1] else { panic!("no table") };
         let csv = table.to_csv();
         // At h = Δ: ω0² ≤ 8 c²/Δ², leapfrog 2/√8, RK4 √8/√8; and the fractions at 6/5.

@@ -7,10 +7,9 @@ pub mod particle_tests;
 pub mod published;
 mod shear;
 
-pub use crate::ferrari2008::{Detail, ReportError};
-
 use crate::paper_text::PaperText;
 use crate::part::Part;
+use crate::report::Detail;
 use std::sync::LazyLock;
 
 /// The words of the report, and what it shows.

@@ -1,11 +1,12 @@
 //! Section 5.7: a shear flow, Figure 28.
 
-use super::{Detail, text};
+use super::text;
 use crate::field_profile::{profile_csv, profile_panel};
 use crate::figure::Figure;
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::paper_text::or_dash;
+use crate::report::Detail;
 use crate::{cells, words};
 use courant_simulation::field::{FieldRun, FieldScene, run_field};
 use courant_simulation::particles::{ActsOn, ParticleMethod};

@@ -1,9 +1,10 @@
 //! Figure 1: two kernels, two schemes.
 
-use super::{Detail, LimitKind, ReportError, published_values, text};
+use super::{LimitKind, published_values, text};
 use crate::figure::Figure;
 use crate::number::significant;
 use crate::page::Item;
+use crate::report::{Detail, ReportError};
 use crate::stability_map::{
     MapPlan, PublishedLimit, PublishedPoint, StabilityMap, damping_bar, growth_bar, stability_map,
 };

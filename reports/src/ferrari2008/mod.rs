@@ -2,31 +2,24 @@
 //! coordinates", Communications in Computational Physics 4, 378–404. Regenerated.
 
 mod figure_1;
-mod proofs;
-pub mod section_2_runs;
+mod figure_2;
+mod hard_cases;
 pub mod section_3;
 mod table_1;
 
 pub use figure_1::{figure_1, figure_1_plan};
 pub use table_1::{Entry, LimitKind, PublishedValue, Table1, published_values, recipe};
 
-use crate::page::Item;
+use crate::page::{Item, Section};
 use crate::paper_text::PaperText;
 use crate::part::Part;
-use crate::publish::PublishError;
-use courant_analysis::waves::sweep::SweepError;
+use crate::report::Detail;
+use crate::study::plan::discretisation;
+use crate::study::{disorder, growth, limits_by_run, limits_cost, predicted_measured, speed};
+use courant_analysis::exact::rational::to_f64;
+use courant_analysis::kernel::Kernel;
+use courant_simulation::advection::AdvectionScheme;
 use std::sync::LazyLock;
-
-/// How much of the report to make.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Detail {
-    /// A coarse grid: for a first look and for tests.
-    Quick,
-    /// Everything, long studies at modest sizes.
-    Standard,
-    /// Long studies at their full sizes.
-    Full,
-}
 
 /// The words of the report, and what it shows.
 pub fn text() -> &'static PaperText {
@@ -37,23 +30,12 @@ pub fn text() -> &'static PaperText {
     &TEXT
 }
 
-/// Why the report has no result.
-#[derive(Debug, thiserror::Error)]
-pub enum ReportError {
-    /// A sweep stopped.
-    #[error(transparent)]
-    Sweep(#[from] SweepError),
-    /// A figure could not be composed or drawn.
-    #[error(transparent)]
-    Figure(#[from] crate::figure::FigureError),
-    /// A finished section could not be written.
-    #[error(transparent)]
-    Publish(#[from] PublishError),
-}
-
 /// The parts of the report in the order of its page.
 pub fn parts(table: Table1, detail: Detail) -> Vec<Part> {
-    let mut parts = vec![
+    let study = |name, section: fn(&PaperText, Detail) -> Section| {
+        Part::new(name, move || Ok(vec![section(text(), detail)]))
+    };
+    vec![
         Part::new("Table 1", move || {
             let paragraph = [Item::Paragraph(table.explanation())];
             let items = paragraph.into_iter().chain(table.tables()).collect();
@@ -62,9 +44,33 @@ pub fn parts(table: Table1, detail: Detail) -> Vec<Part> {
         Part::new("Figure 1", move || {
             Ok(vec![text().section("title_figure_1", vec![figure_1(detail)?])])
         }),
-        Part::new("limits with proof", move || Ok(proofs::section(detail))),
-    ];
-    parts.extend(section_2_runs::parts(detail));
-    parts.push(Part::new("section 3", move || Ok(section_3::sections(detail))));
-    parts
+        Part::new("limits with proof", move || Ok(proofs(detail))),
+        Part::new("Figure 2", || Ok(vec![figure_2::section()])),
+        study("predicted against measured", predicted_measured::section),
+        Part::new("growth at printed limits", || Ok(vec![printed_growth()])),
+        study("limits by run", limits_by_run::section),
+        study("disordered positions", disorder::section),
+        study("work against error", speed::section),
+        Part::new("section 3", move || Ok(section_3::sections(detail))),
+    ]
+}
+
+/// What a proof costs; limits as roots of polynomials; the hard cases.
+fn proofs(detail: Detail) -> Vec<Section> {
+    let (cost, hard) = rayon::join(
+        || limits_cost::items(text(), detail),
+        || vec![hard_cases::table(), limits_cost::roots(text())],
+    );
+    vec![text().section("title_limits_cost", cost), text().section("title_hard_cases", hard)]
+}
+
+/// What a run does at the Courant numbers that Table 1 prints as stable.
+fn printed_growth() -> Section {
+    let printed = published_values().into_iter().filter(|v| v.kind == LimitKind::Stability);
+    let cases = printed.map(|value| {
+        let of = discretisation(AdvectionScheme::GodunovSph, value.kernel, &value.ratio);
+        (of, to_f64(&value.courant))
+    });
+    let cases: Vec<_> = cases.collect();
+    growth::section(text(), &cases, &[Kernel::Gaussian, Kernel::CubicSpline])
 }

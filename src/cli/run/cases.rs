@@ -1,10 +1,11 @@
 //! Every combination of the lists that options hold: one run each.
 
-use super::Arguments;
+use super::{Arguments, Entry, methods, scenes};
 use crate::cli::Failure;
 use crate::cli::numbers::Names;
 use clap::ValueEnum;
 use courant::analysis::exact::rational::to_text;
+use courant::analysis::spelling::spells;
 
 /// Runs of one command at most.
 const MAX_CASES: usize = 1000;
@@ -89,9 +90,19 @@ fn name<T: ValueEnum>(value: &T) -> String {
     value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
+/// The name that is spelt so, or the text itself: what is none is judged later.
+fn canonical(text: &mut String, known: Vec<Entry>) {
+    if let Some(entry) = known.iter().find(|entry| spells(text, entry.name)) {
+        *text = entry.name.into();
+    }
+}
+
 /// Every combination, the first option slowest.
 pub fn all(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
-    let one = Case { arguments: arguments.clone(), choices: Vec::new() };
+    let mut arguments = arguments.clone();
+    arguments.scene.iter_mut().for_each(|name| canonical(name, scenes()));
+    arguments.method.iter_mut().for_each(|name| canonical(name, methods()));
+    let one = Case { arguments, choices: Vec::new() };
     let Cases(cases) = Cases(vec![one])
         .each("scene", |a| &mut a.scene, String::clone)
         .each("method", |a| &mut a.method, String::clone)

@@ -1,12 +1,13 @@
 //! Figures 2 to 5.
 
-use super::super::{Detail, ReportError};
-use super::{paper_lattice, phases, text, usual_ratio};
+use super::{paper_lattice, text, usual_ratio};
 use crate::cha_whitworth2003::published;
 use crate::figure::Figure;
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::Words;
+use crate::report::{Detail, ReportError};
+use crate::study::plan::phases;
 use crate::wave_map::{WaveMap, amplitude_map, phase_error_map};
 use crate::words;
 use courant_analysis::exact::rational::{integer, ratio, to_text};

@@ -1,12 +1,13 @@
 //! The printed relation of Godunov particle hydrodynamics beside the resolved one.
 
-use super::super::ReportError;
-use super::{paper_lattice, phases, text, usual_ratio};
+use super::{paper_lattice, text, usual_ratio};
 use crate::cha_whitworth2003::published::PublishedWaves;
 use crate::figure::{Axis, Color, Dash, Figure, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::csv;
+use crate::report::ReportError;
+use crate::study::plan::phases;
 use crate::wave_map::wave_number_axis;
 use crate::{cells, words};
 use courant_analysis::exact::rational::{integer, to_f64, to_text};

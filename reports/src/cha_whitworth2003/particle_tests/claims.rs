@@ -95,8 +95,9 @@ impl Evidence<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::cha_whitworth2003::{Detail, particle_tests::sections};
+    use crate::cha_whitworth2003::particle_tests::sections;
     use crate::page::Item;
+    use crate::report::Detail;
 
     #[test]
     fn every_claim_is_judged() {

@@ -1,10 +1,11 @@
 //! Work against error: the shock tube with more and more particles.
 
 use super::runs::{Plan, Runs, every_method, scene};
-use super::{Detail, text};
+use super::text;
 use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
+use crate::report::Detail;
 use crate::{cells, words};
 use courant_simulation::particles::{MethodOptions, ParticleMethod};
 use courant_simulation::scene::Scene;

@@ -11,8 +11,9 @@ mod runs;
 mod sound_wave;
 mod tubes;
 
-use super::{Detail, text};
+use super::text;
 use crate::page::Section;
+use crate::report::Detail;
 use courant_simulation::particles::ParticleMethod;
 use runs::Runs;
 

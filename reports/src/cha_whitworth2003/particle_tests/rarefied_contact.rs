@@ -1,11 +1,12 @@
 //! The energy at the centre of Sjögreen's test, and whether the Riemann solver is to blame.
 
 use super::runs::{Plan, Runs, Solved, scene};
-use super::{Detail, text};
+use super::text;
 use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::or_dash;
+use crate::report::Detail;
 use courant_simulation::particles::{MethodOptions, ParticleMethod, SolverChoice};
 use courant_simulation::scene::Scene;
 

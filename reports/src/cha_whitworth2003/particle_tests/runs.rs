@@ -1,7 +1,8 @@
 //! The runs that figures and tables share: each is made once.
 
-use super::{Detail, collision, cost, efficiency, rarefied_contact};
+use super::{collision, cost, efficiency, rarefied_contact};
 use crate::gas_run::particle_settings;
+use crate::report::Detail;
 use crate::timing::timed;
 use courant_simulation::comparison::{Columns, Comparison};
 use courant_simulation::method::Method;

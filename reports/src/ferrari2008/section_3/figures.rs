@@ -1,22 +1,22 @@
 //! Figures 3 to 21, one for each method and test.
 
-use super::runs::{METHODS, PARTICLES, Runs, TestRun};
-use super::text;
+use super::{text, tubes};
 use crate::gas_run;
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::particle_profile::{profile_csv, profile_figure};
+use crate::study::riemann_run::RiemannRun;
 use crate::words;
 use courant_simulation::run::Run;
 
 /// One section for each test. The paper has no figure of a run that fails; neither is there one here.
-pub fn sections(runs: &Runs) -> Vec<Section> {
+pub fn sections(runs: &[RiemannRun]) -> Vec<Section> {
     let mut number = 3;
-    (1..=4)
-        .map(|test| {
+    let of_tests = runs.chunk_by(|one, next| one.test == next.test);
+    of_tests
+        .map(|of_test| {
             let mut items = Vec::new();
-            for name in METHODS {
-                let run = runs.get(test, name);
+            for run in of_test {
                 match run.run.failure {
                     None => {
                         items.push(figure(run, number));
@@ -26,7 +26,7 @@ pub fn sections(runs: &Runs) -> Vec<Section> {
                         "run_failed",
                         words![
                             "method" = run.method.title(),
-                            "test" = test,
+                            "test" = run.test,
                             "particles" = run.run.profile.len(),
                             "settings" = gas_run::settings(&run.method),
                             "failure" = failure,
@@ -34,13 +34,13 @@ pub fn sections(runs: &Runs) -> Vec<Section> {
                     )),
                 }
             }
-            Section { title: format!("Test {test}"), items }
+            Section { title: format!("Test {}", of_test[0].test), items }
         })
         .collect()
 }
 
-fn figure(run: &TestRun, number: usize) -> Item {
-    let TestRun { test, method, tube, run, comparison } = run;
+fn figure(run: &RiemannRun, number: usize) -> Item {
+    let RiemannRun { test, method, tube, run, comparison } = run;
     let title = format!("Figure {number}. Test {test}: {}", method.title());
     let kind = if !run.profile.mass.is_empty() { "particles" } else { "cells" };
     let name = format!("figure_{number:02}");
@@ -49,7 +49,7 @@ fn figure(run: &TestRun, number: usize) -> Item {
         words![
             "title" = title,
             "time" = tube.end_time,
-            "particles" = PARTICLES,
+            "particles" = tubes().particles,
             "kind" = kind,
             "settings" = gas_run::settings(method),
             "steps" = run.steps,

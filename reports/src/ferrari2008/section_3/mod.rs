@@ -1,29 +1,33 @@
 //! Section 3: gas dynamics. Table 2, Figures 3 to 21, and what their adjectives are in numbers.
 
-mod convergence;
-mod cost;
-mod courant_number;
-mod errors;
+mod claims;
 mod figures;
-mod linear_theory;
-mod measures;
-mod runs;
 mod table_2;
-mod windows;
 
-use super::{Detail, text};
+use super::text;
 use crate::page::Section;
-use courant_simulation::run::Failure;
-use runs::Runs;
+use crate::report::Detail;
+use crate::study::{convergence, courant_number, linear_theory, riemann_tables, tubes::Tubes};
+
+/// The four tests and the five methods, in the order of the figures.
+fn tubes() -> Tubes {
+    text().plan("tubes")
+}
 
 /// The sections of this part, in the order of the paper.
 pub fn sections(detail: Detail) -> Vec<Section> {
+    let tubes = &tubes();
+    let linear = || linear_theory::items(text(), tubes);
     let ((runs, points), courant) = rayon::join(
-        || rayon::join(Runs::at_100_particles, || convergence::points(detail)),
-        || [linear_theory::items(), courant_number::items(detail)].concat(),
+        || rayon::join(|| tubes.runs(), || convergence::points(text(), tubes, detail)),
+        || [linear(), courant_number::items(text(), tubes, detail)].concat(),
     );
-    let numbers = vec![errors::table(&runs), errors::waves(&runs), measures::claims(&runs)];
-    let convergence = [convergence::items(detail, &points), cost::items(&points)].concat();
+    let numbers = vec![
+        riemann_tables::errors(text(), "section_3_errors", &runs),
+        riemann_tables::waves(text(), "section_3_waves", &runs),
+        claims::table(&runs),
+    ];
+    let convergence = convergence::items(text(), tubes, detail, &points);
     let mut sections = vec![table_2::section()];
     sections.extend(figures::sections(&runs));
     sections.extend([
@@ -32,19 +36,6 @@ pub fn sections(detail: Detail) -> Vec<Section> {
         text().section("title_courant", courant),
     ]);
     sections
-}
-
-/// The title of the panel of a test in a figure of all four.
-fn panel_title(test: usize) -> String {
-    format!("({}) test {test}", char::from(b'a' + test as u8 - 1))
-}
-
-/// The outcome of a run as two comma-separated values, one of them empty.
-fn error_or_failure(outcome: &Result<f64, Failure>) -> String {
-    match outcome {
-        Ok(error) => format!("{error:.10e},"),
-        Err(failure) => format!(",{failure}"),
-    }
 }
 
 #[cfg(test)]

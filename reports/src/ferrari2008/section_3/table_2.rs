@@ -1,10 +1,10 @@
 //! Table 2, and what follows from it.
 
-use super::runs::{gas, states, tube};
-use super::text;
+use super::{text, tubes};
 use crate::cells;
 use crate::number::significant;
 use crate::page::{Item, Section};
+use crate::study::riemann_run::{solution, sound_growth, states};
 use courant_simulation::riemann::Wave;
 
 /// The section.
@@ -14,8 +14,9 @@ pub fn section() -> Section {
 }
 
 fn initial() -> Item {
-    let rows = (1..=4).map(|test| {
-        let tube = tube(test);
+    let tubes = tubes();
+    let rows = (0..tubes.tests.len()).map(|index| {
+        let (test, tube) = (&tubes.tests[index].0, tubes.scene(index));
         let numbers =
             states(&tube).map(|state| [state.density(), state.velocity(), state.pressure()]);
         let (_, _, diaphragm) = tube.two_states().expect("a tube has two states");
@@ -33,22 +34,11 @@ fn wave_name(wave: Wave) -> &'static str {
     }
 }
 
-/// `max C` of the star states over `max C` of the initial ones.
-pub fn sound_growth(test: usize) -> f64 {
-    let tube = tube(test);
-    let gas = gas(&tube);
-    let (solution, _) = tube.riemann().expect("a tube is a Riemann problem");
-    let (left, right) = solution.densities();
-    let sound = |density, pressure| gas.lagrangian_sound_speed(density, pressure);
-    let first = states(&tube).map(|state| sound(state.density(), state.pressure()));
-    let star = sound(left, solution.pressure()).max(sound(right, solution.pressure()));
-    star / first[0].max(first[1])
-}
-
 fn star_states() -> Item {
-    let rows = (1..=4).map(|test| {
-        let tube = tube(test);
-        let (solution, _) = tube.riemann().expect("a tube is a Riemann problem");
+    let tubes = tubes();
+    let rows = (0..tubes.tests.len()).map(|index| {
+        let (test, tube) = (&tubes.tests[index].0, tubes.scene(index));
+        let (solution, _) = solution(&tube);
         let (left, right) = solution.densities();
         // Test 2 is symmetric: v* is round-off there.
         let velocity = if solution.velocity().abs() < 1e-12 { 0.0 } else { solution.velocity() };
@@ -56,7 +46,7 @@ fn star_states() -> Item {
             cells![test, wave_name(solution.left_wave()), wave_name(solution.right_wave())];
         let numbers = [solution.pressure(), velocity, left, right];
         row.extend(numbers.map(|number| significant(number, 7)));
-        row.push(significant(sound_growth(test), 4));
+        row.push(significant(sound_growth(&tube), 4));
         row
     });
     text().table("table_2_star_states", &[], rows)

@@ -47,7 +47,7 @@ fn cases() -> Vec<Case> {
 }
 
 /// These runs take milliseconds and are the same in a quick report.
-pub(super) fn section() -> Section {
+pub fn section() -> Section {
     let cases = cases();
     let courant = cases[0].2[0].1.courant_number;
     let figure = cases

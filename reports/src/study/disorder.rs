@@ -1,24 +1,36 @@
 //! How far the lattice theory carries when the particles are not on a lattice.
 
-use super::{Detail, discretisation, text};
+use super::plan::{ByDetail, Case, letter};
 use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::{Item, Section};
-use crate::paper_text::csv;
+use crate::paper_text::{PaperText, csv};
+use crate::report::Detail;
 use crate::{cells, words};
-use courant_analysis::exact::rational::integer;
-use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{AdvectionScheme, DisorderStudy, gain_against_disorder};
 use rayon::prelude::*;
+use serde::Deserialize;
 
-const PARTICLES: usize = 64;
-const MODES: [usize; 4] = [2, 8, 16, 32];
-const DISORDERS: [f64; 7] = [0.0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4];
-/// The Courant number of single steps; long runs are also made about the lattice's limit.
-const COURANT_NUMBER: f64 = 1.0;
-const SHARES_OF_LIMIT: [f64; 2] = [0.98, 1.02];
-const SCHEMES: [AdvectionScheme; 2] =
-    [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph];
+/// What is looked at.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Plan {
+    /// The schemes, a column of panels each.
+    cases: Vec<Case>,
+    particles: usize,
+    /// Waves of a single step.
+    modes: Vec<usize>,
+    /// Largest displacements over the spacing.
+    disorders: Vec<f64>,
+    /// Two of them, for the text.
+    quoted: [f64; 2],
+    /// The Courant number of single steps.
+    courant: f64,
+    /// Courant numbers of long runs beside that one, over the lattice's limit.
+    shares: Vec<f64>,
+    /// Sets of positions.
+    sets: ByDetail<u64>,
+}
 
 /// One scheme at one Courant number.
 struct Study {
@@ -28,15 +40,16 @@ struct Study {
 }
 
 /// By scheme, then by Courant number, that of the single steps first.
-fn studies(sets: u64) -> Vec<Study> {
-    let plans = SCHEMES.into_iter().flat_map(|scheme| {
-        let discretisation = discretisation(scheme, Kernel::CubicSpline, integer(2));
+fn studies(plan: &Plan, sets: u64) -> Vec<Study> {
+    let cases = plan.cases.iter().flat_map(|case| {
+        let discretisation = case.discretisation();
         let limit = discretisation.stable_set().limit().value();
-        let [below, above] = SHARES_OF_LIMIT.map(|share| share * limit);
-        [COURANT_NUMBER, below, above].map(|courant| (discretisation.clone(), courant))
+        let shares = plan.shares.iter().map(move |share| share * limit);
+        let courant_numbers = std::iter::once(plan.courant).chain(shares);
+        courant_numbers.map(move |courant| (discretisation.clone(), courant))
     });
-    let plans: Vec<_> = plans.collect();
-    plans
+    let cases: Vec<_> = cases.collect();
+    cases
         .into_par_iter()
         .map(|(discretisation, courant_number)| Study {
             scheme: discretisation.scheme(),
@@ -44,9 +57,9 @@ fn studies(sets: u64) -> Vec<Study> {
             found: gain_against_disorder(
                 &discretisation,
                 courant_number,
-                PARTICLES,
-                &MODES,
-                &DISORDERS,
+                plan.particles,
+                &plan.modes,
+                &plan.disorders,
                 sets,
             )
             .expect("the disorders are below one half"),
@@ -54,19 +67,22 @@ fn studies(sets: u64) -> Vec<Study> {
         .collect()
 }
 
-pub(super) fn section(detail: Detail) -> Section {
-    let sets = if detail == Detail::Quick { 4 } else { 16 };
-    let studies = studies(sets);
-    let settings = words!["courant" = COURANT_NUMBER, "sets" = sets, "particles" = PARTICLES];
+/// The section.
+pub fn section(text: &PaperText, detail: Detail) -> Section {
+    let plan: Plan = text.plan("disorder");
+    let sets = *plan.sets.at(detail);
+    let studies = studies(&plan, sets);
+    let by_scheme: Vec<&[Study]> = studies.chunks(1 + plan.shares.len()).collect();
+    let settings = words!["courant" = plan.courant, "sets" = sets, "particles" = plan.particles];
     let data = vec![("figure_disorder.csv".into(), data(&studies))];
     let items = vec![
-        explanation(&studies),
-        text().figure("figure_disorder", settings, figure(&studies), data),
+        explanation(text, &plan, &by_scheme),
+        text.figure("figure_disorder", settings, figure(&plan, &by_scheme), data),
     ];
-    text().section("title_disorder", items)
+    text.section("title_disorder", items)
 }
 
-fn explanation(studies: &[Study]) -> Item {
+fn explanation(text: &PaperText, plan: &Plan, by_scheme: &[&[Study]]) -> Item {
     let deviation = |study: &Study, disorder: f64| {
         let rows = study.found.modes.iter().filter(|row| row.disorder == disorder);
         rows.map(|row| (row.mean.norm() - row.lattice.norm()).abs()).fold(0.0, f64::max)
@@ -75,62 +91,78 @@ fn explanation(studies: &[Study]) -> Item {
         let row = study.found.growth.iter().find(|growth| growth.disorder == disorder);
         format!("{:.6}", row.expect("it is one of the disorders").mean_gain)
     };
-    let sentences = studies.chunks(1 + SHARES_OF_LIMIT.len()).map(|of_scheme| {
+    let [small, large] = plan.quoted;
+    let sentences = by_scheme.iter().map(|of_scheme| {
         let ends = of_scheme.iter().map(|study| {
             let courant = significant(study.courant_number, 4);
-            let (tenth, lattice) = (at_end(study, 0.1), at_end(study, 0.0));
-            format!("{tenth} at C = {courant} ({lattice} on the lattice)")
+            let (displaced, lattice) = (at_end(study, small), at_end(study, 0.0));
+            format!("{displaced} at C = {courant} ({lattice} on the lattice)")
         });
-        text().text(
+        text.text(
             "disorder_scheme",
             words![
                 "scheme" = of_scheme[0].scheme.title(),
-                "tenth" = significant(deviation(&of_scheme[0], 0.1), 2),
-                "four-tenths" = significant(deviation(&of_scheme[0], 0.4), 2),
+                "small" = significant(deviation(&of_scheme[0], small), 2),
+                "large" = significant(deviation(&of_scheme[0], large), 2),
                 "ends" = ends.collect::<Vec<_>>().join(", "),
             ],
         )
     });
     let sentences = sentences.collect::<Vec<_>>().join(" ");
-    text().paragraph("disorder_text", words!["schemes" = sentences])
+    text.paragraph("disorder_text", words!["schemes" = sentences])
 }
 
 /// Displacement, mean, and the ends of its bar.
 type Point = (f64, f64, [f64; 2]);
 type Curve = Vec<Point>;
 
-fn figure(studies: &[Study]) -> Figure {
-    let by_scheme: Vec<&[Study]> = studies.chunks(1 + SHARES_OF_LIMIT.len()).collect();
-    let steps: Vec<Vec<Curve>> = by_scheme.iter().map(|of| single_steps(&of[0])).collect();
+/// A share of a limit, in words.
+fn about_limit(share: f64) -> String {
+    let percent = 100.0 * (share - 1.0);
+    let side = if percent < 0.0 { "below the limit" } else { "above it" };
+    format!("{:.0} % {side}", percent.abs())
+}
+
+fn figure(plan: &Plan, by_scheme: &[&[Study]]) -> Figure {
+    let steps: Vec<Vec<Curve>> =
+        by_scheme.iter().map(|of| single_steps(&plan.modes, &of[0])).collect();
     let runs: Vec<Vec<Curve>> =
         by_scheme.iter().map(|of| of.iter().map(long_run).collect()).collect();
-    let phases = MODES.map(|mode| match PARTICLES / 2 / mode {
-        1 => "a, b: φ = π".to_string(),
-        part => format!("a, b: φ = π/{part}"),
+    let columns = by_scheme.len();
+    let panels = |row: usize| {
+        let letters = (0..columns).map(|column| char::from(b'a' + (row * columns + column) as u8));
+        letters.map(String::from).collect::<Vec<_>>().join(", ")
+    };
+    let (of_steps, of_runs) = (panels(0), panels(1));
+    let phases = plan.modes.iter().map(|mode| match plan.particles / 2 / mode {
+        1 => format!("{of_steps}: φ = π"),
+        part => format!("{of_steps}: φ = π/{part}"),
     });
-    let courant_numbers =
-        ["C = 1", "2 % below the limit", "2 % above it"].map(|c| format!("c, d: {c}"));
-    let mut figure = Figure::grid(2, 2).size(7.2, 6.2);
-    for (row, (curves, names)) in
-        [(steps, phases.to_vec()), (runs, courant_numbers.to_vec())].iter().enumerate()
-    {
+    let shares = plan.shares.iter().map(|share| about_limit(*share));
+    let courant_numbers = std::iter::once(format!("C = {}", plan.courant)).chain(shares);
+    let courant_numbers = courant_numbers.map(|c| format!("{of_runs}: {c}"));
+    let rows: [(Vec<Vec<Curve>>, Vec<String>); 2] =
+        [(steps, phases.collect()), (runs, courant_numbers.collect())];
+    let widest = plan.disorders.iter().copied().fold(0.0, f64::max);
+    let mut figure = Figure::grid(2, columns).size(7.2, 6.2);
+    for (row, (curves, names)) in rows.iter().enumerate() {
         // The panels of a row are to be compared: one scale, from the bars of both.
         let ends = || curves.iter().flatten().flatten().flat_map(|point| point.2);
         let (low, high) = (ends().fold(0.0, f64::min), ends().fold(0.0, f64::max));
         let room = 0.05 * (high - low);
         for (column, curves) in curves.iter().enumerate() {
             let scheme = by_scheme[column][0].scheme.title();
-            let letter = char::from(b'a' + (2 * row + column) as u8);
+            let letter = letter(columns * row + column);
             let (title, label) = match row {
-                0 => (format!("({letter}) {scheme}, single step"), "|g| less the lattice's"),
-                _ => (format!("({letter}) {scheme}, long run"), "factor per step less 1"),
+                0 => (format!("{letter}{scheme}, single step"), "|g| less the lattice's"),
+                _ => (format!("{letter}{scheme}, long run"), "factor per step less 1"),
             };
-            let x = Axis::linear("largest displacement / Δξ").range(-0.02, 0.42);
+            let x = Axis::linear("largest displacement / Δξ").range(-0.05 * widest, 1.05 * widest);
             let y = Axis::linear(label).range(low - room, high + room);
             let mut panel = Panel::new(x, y).title(title).layer(Series::horizontal(0.0));
             for (k, (curve, name)) in curves.iter().zip(names).enumerate() {
                 // No look twice in a figure with one legend.
-                panel = with_spread(panel, k, k + row * MODES.len(), curve, name);
+                panel = with_spread(panel, k, k + row * plan.modes.len(), curve, name);
             }
             figure = figure.panel(panel);
         }
@@ -152,8 +184,8 @@ fn with_spread(panel: Panel, k: usize, look: usize, curve: &Curve, name: &str) -
 }
 
 /// The change of the gain of a single step, mode by mode.
-fn single_steps(study: &Study) -> Vec<Curve> {
-    let curve = |mode| {
+fn single_steps(modes: &[usize], study: &Study) -> Vec<Curve> {
+    let curve = |&mode: &usize| {
         let rows = study.found.modes.iter().filter(|row| row.mode == mode);
         let points = rows.map(|row| {
             let change = row.mean.norm() - row.lattice.norm();
@@ -161,7 +193,7 @@ fn single_steps(study: &Study) -> Vec<Curve> {
         });
         points.collect()
     };
-    MODES.into_iter().map(curve).collect()
+    modes.iter().map(curve).collect()
 }
 
 fn long_run(study: &Study) -> Curve {

@@ -1,23 +1,41 @@
 //! Predicted against measured: symbol and running scheme, mode by mode.
 
-use super::{Detail, discretisation, text};
+use super::plan::{ByDetail, Named, discretisation};
 use crate::advection_validation::{Settings, ValidatedCase, ValidationCase, run_cases};
 use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Section;
-use crate::paper_text::csv;
+use crate::paper_text::{PaperText, csv};
+use crate::report::Detail;
 use crate::{cells, words};
-use courant_analysis::exact::rational::integer;
+use courant_analysis::exact::rational::Rational;
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::AdvectionScheme;
+use serde::Deserialize;
 use std::f64::consts::PI;
 
-pub(super) fn section(detail: Detail) -> Section {
-    let settings =
-        Settings { steps: if detail == Detail::Quick { 10 } else { 100 }, ..Settings::default() };
-    let discretisations = AdvectionScheme::ALL
-        .into_iter()
-        .flat_map(|scheme| Kernel::ALL.map(|kernel| discretisation(scheme, kernel, integer(2))));
+/// What is looked at: each scheme with each kernel at three Courant numbers about its limit.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Plan {
+    schemes: Vec<Named<AdvectionScheme>>,
+    kernels: Vec<Named<Kernel>>,
+    ratio: Named<Rational>,
+    steps: ByDetail<u64>,
+    /// The kernel of the figure.
+    shown: Named<Kernel>,
+    /// What the three Courant numbers are.
+    regimes: [String; 3],
+}
+
+/// The section.
+pub fn section(text: &PaperText, detail: Detail) -> Section {
+    let plan: Plan = text.plan("predicted_measured");
+    let settings = Settings { steps: *plan.steps.at(detail), ..Settings::default() };
+    let discretisations = plan.schemes.iter().flat_map(|scheme| {
+        let of = |kernel: &Named<_>| discretisation(scheme.0, kernel.0, &plan.ratio.0);
+        plan.kernels.iter().map(of)
+    });
     let cases: Vec<ValidationCase> = discretisations
         .flat_map(|discretisation| ValidationCase::about_the_limit(&discretisation, settings))
         .collect();
@@ -25,7 +43,7 @@ pub(super) fn section(detail: Detail) -> Section {
     let worst = cases.iter().map(|case| case.validation.max_error).fold(0.0, f64::max);
     let chosen: Vec<&ValidatedCase> = cases
         .iter()
-        .filter(|case| case.case.plan.discretisation.kernel() == Kernel::CubicSpline)
+        .filter(|case| case.case.plan.discretisation.kernel() == plan.shown.0)
         .collect();
     let paragraph = words![
         "particles" = settings.particles,
@@ -38,11 +56,11 @@ pub(super) fn section(detail: Detail) -> Section {
     let settings = words!["particles" = settings.particles, "steps" = settings.steps];
     let data = vec![("figure_predicted_measured.csv".into(), data(&chosen))];
     let items = vec![
-        text().paragraph("predicted_measured_text", paragraph),
-        text().table("predicted_measured", settings, cases.chunks(3).map(row)),
-        text().figure("figure_predicted_measured", settings, figure(&chosen), data),
+        text.paragraph("predicted_measured_text", paragraph),
+        text.table("predicted_measured", settings, cases.chunks(3).map(row)),
+        text.figure("figure_predicted_measured", settings, figure(&plan, &chosen), data),
     ];
-    text().section("title_predicted_measured", items)
+    text.section("title_predicted_measured", items)
 }
 
 /// One scheme with one kernel at three Courant numbers.
@@ -70,7 +88,7 @@ fn row(three: &[ValidatedCase]) -> Vec<String> {
     ]
 }
 
-fn figure(cases: &[&ValidatedCase]) -> Figure {
+fn figure(plan: &Plan, cases: &[&ValidatedCase]) -> Figure {
     let phase_axis = || {
         Axis::linear("phase φ = κΔξ").range(0.0, PI).ticks([
             (0.0, "0"),
@@ -81,13 +99,9 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
     let of = |scheme: AdvectionScheme| {
         cases.iter().filter(move |case| case.case.plan.discretisation.scheme() == scheme)
     };
-    let labels = [
-        "half the limit (Euler-SPH: C = 1/2)",
-        "at the limit (C = 1)",
-        "one and a half times the limit (C = 3/2)",
-    ];
-    let mut figure = Figure::grid(2, 3).size(7.4, 5.2);
-    for scheme in AdvectionScheme::ALL {
+    let schemes: Vec<AdvectionScheme> = plan.schemes.iter().map(|scheme| scheme.0).collect();
+    let mut figure = Figure::grid(2, schemes.len()).size(7.4, 5.2);
+    for &scheme in &schemes {
         let mut panel = Panel::new(phase_axis(), Axis::linear("|g|").range(0.0, 1.8))
             .title(scheme.title())
             .layer(Series::horizontal(1.0));
@@ -99,7 +113,7 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
                     Series::line(rows.iter().map(|row| (row.phase, row.predicted.norm())))
                         .color(color)
                         .dash(Dash::nth(k))
-                        .label(labels[k]),
+                        .label(&plan.regimes[k]),
                 )
                 .layer(
                     Series::markers(
@@ -109,12 +123,12 @@ fn figure(cases: &[&ValidatedCase]) -> Figure {
                     .color(color)
                     .fill(Color::WHITE)
                     .size(3.4)
-                    .label(labels[k]),
+                    .label(&plan.regimes[k]),
                 );
         }
         figure = figure.panel(panel);
     }
-    for scheme in AdvectionScheme::ALL {
+    for &scheme in &schemes {
         let allowed = of(scheme).map(|case| case.validation.tolerance).fold(0.0, f64::max);
         let mut panel =
             Panel::new(phase_axis(), Axis::log("|measured − predicted|").range(1e-18, 1e-12))

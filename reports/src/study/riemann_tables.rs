@@ -1,19 +1,18 @@
-//! Every run in numbers.
+//! Runs of Riemann problems in numbers.
 
-use super::runs::{Runs, TestRun};
-use super::text;
+use super::riemann_run::RiemannRun;
 use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
-use crate::paper_text::or_dash;
+use crate::paper_text::{PaperText, or_dash};
 use courant_simulation::comparison::{WaveKind, WavePosition};
 
 /// Errors, overshoot, conservation, work. A run that failed has a row of its own kind.
-pub fn table(runs: &Runs) -> Item {
-    text().table("section_3_errors", &[], runs.all().iter().map(row))
+pub fn errors(text: &PaperText, name: &str, runs: &[RiemannRun]) -> Item {
+    text.table(name, &[], runs.iter().map(row))
 }
 
-fn row(run: &TestRun) -> Vec<String> {
+fn row(run: &RiemannRun) -> Vec<String> {
     let (comparison, record) = (&run.comparison, &run.run);
     let mut row = cells![run.test, run.method.name()];
     if let Some(failure) = record.failure {
@@ -38,8 +37,8 @@ fn row(run: &TestRun) -> Vec<String> {
 }
 
 /// Where the waves are.
-pub fn waves(runs: &Runs) -> Item {
-    let completed = runs.all().iter().filter(|run| run.run.completed());
+pub fn waves(text: &PaperText, name: &str, runs: &[RiemannRun]) -> Item {
+    let completed = runs.iter().filter(|run| run.run.completed());
     let rows = completed.map(|run| {
         let comparison = &run.comparison;
         let (contacts, acoustic): (Vec<&WavePosition>, Vec<&WavePosition>) =
@@ -63,5 +62,5 @@ pub fn waves(runs: &Runs) -> Item {
             or_dash(comparison.spacing_mismatch, 3),
         ]
     });
-    text().table("section_3_waves", &[], rows)
+    text.table(name, &[], rows)
 }

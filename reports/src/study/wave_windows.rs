@@ -1,6 +1,6 @@
 //! One wave of a run alone: a norm over the whole domain is mostly that of the widest wave.
 
-use super::runs::{TestRun, exact, gas};
+use super::riemann_run::{RiemannRun, exact, gas, solution};
 use courant_simulation::comparison::Columns;
 use courant_simulation::riemann::Wave;
 
@@ -36,7 +36,7 @@ impl Variable {
         }
     }
 
-    fn of(self, run: &TestRun) -> &[f64] {
+    fn of(self, run: &RiemannRun) -> &[f64] {
         let profile = &run.run.profile;
         match self {
             Self::Density => &profile.density,
@@ -46,7 +46,7 @@ impl Variable {
         }
     }
 
-    fn exact(self, run: &TestRun, x: f64) -> f64 {
+    fn exact(self, run: &RiemannRun, x: f64) -> f64 {
         let state = exact(&run.tube, x, run.run.time);
         match self {
             Self::Density => state.density(),
@@ -69,8 +69,8 @@ pub(super) struct Places {
 }
 
 impl Places {
-    pub(super) fn of(run: &TestRun) -> Self {
-        let (solution, origin) = run.tube.riemann().expect("a tube is a Riemann problem");
+    pub(super) fn of(run: &RiemannRun) -> Self {
+        let (solution, origin) = solution(&run.tube);
         let at = |speed: f64| origin + speed * run.run.time;
         let contact = at(solution.velocity());
         let edges = |wave: Wave| match wave {
@@ -100,7 +100,7 @@ impl Places {
 
 /// `∫|u − exact| dx` over a window, the profile joined by straight lines: the same measure for particles and cells,
 /// which a mean over points is not, since particles crowd where the gas is dense.
-pub(super) fn error(run: &TestRun, variable: Variable, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn error(run: &RiemannRun, variable: Variable, [from, to]: [f64; 2]) -> f64 {
     let mut points: Vec<(f64, f64)> =
         run.run.profile.x.iter().copied().zip(variable.of(run).iter().copied()).collect();
     // Particles may have passed each other.
@@ -127,7 +127,7 @@ fn joined(points: &[(f64, f64)], x: f64) -> f64 {
 }
 
 /// The values of the points inside a window, in the order of their places.
-fn inside(run: &TestRun, variable: Variable, window: [f64; 2]) -> Vec<f64> {
+fn inside(run: &RiemannRun, variable: Variable, window: [f64; 2]) -> Vec<f64> {
     let profile = &run.run.profile;
     let mut points = profile.inside(window);
     points.sort_by(|&i, &j| profile.x[i].total_cmp(&profile.x[j]));
@@ -135,7 +135,7 @@ fn inside(run: &TestRun, variable: Variable, window: [f64; 2]) -> Vec<f64> {
 }
 
 /// The difference of the largest and smallest exact values in the domain.
-pub(super) fn range(run: &TestRun, variable: Variable) -> f64 {
+pub(super) fn range(run: &RiemannRun, variable: Variable) -> f64 {
     let [from, to] = run.tube.domain;
     let values =
         (0..=SAMPLES).map(|i| variable.exact(run, from + (to - from) * i as f64 / SAMPLES as f64));
@@ -146,7 +146,7 @@ pub(super) fn range(run: &TestRun, variable: Variable) -> f64 {
 }
 
 /// How far values in a window exceed all exact ones there, over the range of the exact solution in the domain.
-pub(super) fn overshoot(run: &TestRun, variable: Variable, window: [f64; 2]) -> f64 {
+pub(super) fn overshoot(run: &RiemannRun, variable: Variable, window: [f64; 2]) -> f64 {
     let [from, to] = window;
     let highest = (0..=SAMPLES)
         .map(|i| variable.exact(run, from + (to - from) * i as f64 / SAMPLES as f64))
@@ -157,7 +157,7 @@ pub(super) fn overshoot(run: &TestRun, variable: Variable, window: [f64; 2]) -> 
 
 /// How much more than from end to end the values in a window go up and down, over the range of the exact solution in
 /// the domain: zero for a monotone profile.
-pub(super) fn oscillation(run: &TestRun, variable: Variable, window: [f64; 2]) -> f64 {
+pub(super) fn oscillation(run: &RiemannRun, variable: Variable, window: [f64; 2]) -> f64 {
     let values = inside(run, variable, window);
     let (Some(first), Some(last)) = (values.first(), values.last()) else { return f64::NAN };
     let whole: f64 = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
@@ -167,13 +167,15 @@ pub(super) fn oscillation(run: &TestRun, variable: Variable, window: [f64; 2]) -
 
 #[cfg(test)]
 mod tests {
-    use super::super::runs::Runs;
     use super::*;
+    use courant_simulation::method::Method;
+    use courant_simulation::scene::Scene;
 
     #[test]
     fn a_fault_counts_in_its_window_only() {
-        let runs = Runs::at_100_particles();
-        let mut run = runs.get(3, "finite-volume").clone();
+        let tube = Scene::named("toro3").unwrap();
+        let method = Method::named("finite-volume").unwrap();
+        let mut run = RiemannRun::new("", tube, method, 100);
         let profile = &mut run.run.profile;
         let (x, time) = (profile.x.clone(), run.run.time);
         for (i, &x) in x.iter().enumerate() {

@@ -1,20 +1,39 @@
-//! What a proof costs and what sampling misses; limits as roots of polynomials; the hard cases.
+//! What a proof of a limit costs, what sampling misses, and limits as roots of polynomials.
 
-mod hard_cases;
-
-use super::{Detail, text};
+use super::plan::{ByDetail, Case, Named, discretisation, letter};
 use crate::cells;
 use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
-use crate::page::{Item, Section};
-use crate::paper_text::csv;
+use crate::page::Item;
+use crate::paper_text::{PaperText, csv};
+use crate::report::Detail;
 use crate::timing::timed;
-use courant_analysis::exact::rational::{Rational, parse, ratio, to_text};
+use courant_analysis::exact::rational::{Rational, parse, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::stability::{
     AccuracyRow, accuracy_study, phase_grid, sampled_stability_limit,
 };
-use courant_simulation::advection::{AdvectionScheme, Discretisation};
+use courant_simulation::advection::AdvectionScheme;
+use serde::Deserialize;
+
+/// What is looked at.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Plan {
+    /// The cases of the figure.
+    shown: Vec<Case>,
+    schemes: Vec<Named<AdvectionScheme>>,
+    kernels: Vec<Named<Kernel>>,
+    /// Smoothing ratios as they are written.
+    ratios: ByDetail<Vec<String>>,
+    /// The scheme, the kernel and the ratios whose limits are roots.
+    roots: (Named<AdvectionScheme>, Named<Kernel>, Vec<String>),
+}
+
+/// A ratio as it is written.
+fn read(written: &str) -> Rational {
+    parse(written).expect("the list holds decimals")
+}
 
 /// Errors below the rounding of an `f64` are drawn here.
 const ERROR_FLOOR: f64 = 1e-17;
@@ -22,41 +41,31 @@ const ERROR_FLOOR: f64 = 1e-17;
 /// Longer equations are described, not printed.
 const LONGEST_EQUATION: usize = 180;
 
-fn scheme(scheme: AdvectionScheme, kernel: Kernel, l: &Rational) -> Discretisation {
-    let discretisation = Discretisation::new(scheme, kernel, l.clone());
-    discretisation.expect("the ratios of the report are within range")
+/// Work against error in a figure and a table.
+pub fn items(text: &PaperText, detail: Detail) -> Vec<Item> {
+    let plan: Plan = text.plan("limits_cost");
+    vec![cost_figure(text, &plan), cost_table(text, &plan, detail)]
 }
 
-/// Work against error of the limits, and the tables of hard cases and of roots.
-pub fn section(detail: Detail) -> Vec<Section> {
-    let (cost, hard) = rayon::join(
-        || vec![cost_figure(), cost_table(detail)],
-        || vec![hard_cases::table(), roots()],
-    );
-    vec![text().section("title_limits_cost", cost), text().section("title_hard_cases", hard)]
-}
-
-/// Work against error for two schemes: one bound by the longest waves, one by an interior wave.
-fn cost_figure() -> Item {
-    let cases = [
-        (AdvectionScheme::GodunovSph, ratio(5, 1), "(a) Godunov SPH, l/Δξ = 5"),
-        (AdvectionScheme::LaxWendroffSph, ratio(13, 10), "(b) Lax–Wendroff SPH, l/Δξ = 1.3"),
-    ];
-    let mut figure = Figure::grid(1, 2).size(7.2, 3.4);
+fn cost_figure(text: &PaperText, plan: &Plan) -> Item {
+    let mut figure = Figure::grid(1, plan.shown.len()).size(7.2, 3.4);
     let mut lines = Vec::new();
-    for (name, l, title) in cases {
-        let of = scheme(name, Kernel::CubicSpline, &l);
+    for (index, case) in plan.shown.iter().enumerate() {
+        let (of, name) = (case.discretisation(), case.scheme.0);
+        let l = to_text(&case.ratio.0);
+        let l_decimal = to_f64(&case.ratio.0);
+        let title = format!("{}{}, l/Δξ = {l_decimal}", letter(index), name.title());
         let (rows, _) = timed(|| accuracy_study(of.step(), "C", &of.plan().max));
         let rows = rows.expect("only the Courant number is free");
         lines.extend(rows.iter().map(|row| {
             let (method, error) = (row.method, row.relative_error);
-            cells![name, to_text(&l), method.name(), method.size(), error, row.work, row.seconds]
+            cells![name, l, method.name(), method.size(), error, row.work, row.seconds]
         }));
-        figure = figure.panel(cost_panel(&rows, title));
+        figure = figure.panel(cost_panel(&rows, &title));
     }
     let header = "scheme,ratio,method,size,relative_error,work,seconds";
     let data = vec![("limits_cost.csv".into(), csv(header, lines))];
-    text().figure("limits_cost", &[], figure, data)
+    text.figure("limits_cost", &[], figure, data)
 }
 
 fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
@@ -84,19 +93,15 @@ fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
 }
 
 /// Proof and samples over the smoothing ratio.
-fn cost_table(detail: Detail) -> Item {
-    let ratios: &[&str] = match detail {
-        Detail::Quick => &["1", "1.3", "5"],
-        Detail::Standard | Detail::Full => &["1", "1.3", "2", "5", "10", "20", "50"],
-    };
-    let schemes = [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph];
-    let cases = schemes.into_iter().flat_map(|name| {
-        [Kernel::CubicSpline, Kernel::Gaussian]
-            .into_iter()
-            .flat_map(move |kernel| ratios.iter().map(move |&written| (name, kernel, written)))
+fn cost_table(text: &PaperText, plan: &Plan, detail: Detail) -> Item {
+    let ratios = plan.ratios.at(detail);
+    let cases = plan.schemes.iter().flat_map(|name| {
+        plan.kernels
+            .iter()
+            .flat_map(move |kernel| ratios.iter().map(move |written| (name.0, kernel.0, written)))
     });
     let rows = cases.map(|(name, kernel, written)| {
-        let of = scheme(name, kernel, &parse(written).expect("the list holds decimals"));
+        let of = discretisation(name, kernel, &read(written));
         let (set, proof) = timed(|| of.stable_set());
         let limit = set.limit();
         let milliseconds = |seconds: f64| significant(1e3 * seconds, 2);
@@ -113,15 +118,15 @@ fn cost_table(detail: Detail) -> Item {
         let decimal = limit.decimal(10).unwrap_or_default();
         cells![name, kernel.name(), written, decimal, set.work.boxes, proof, sampling, error]
     });
-    text().table("limits_cost_table", &[], rows)
+    text.table("limits_cost_table", &[], rows)
 }
 
-/// Limits of Lax–Wendroff SPH at interior waves: algebraic numbers.
-fn roots() -> Item {
-    let ratios = ["1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.8", "2", "2.5", "3"];
-    let rows = ratios.into_iter().map(|written| {
-        let l = parse(written).expect("the list holds decimals");
-        let of = scheme(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, &l);
+/// Limits at interior waves: algebraic numbers.
+pub fn roots(text: &PaperText) -> Item {
+    let plan: Plan = text.plan("limits_cost");
+    let (scheme, kernel, ratios) = &plan.roots;
+    let rows = ratios.iter().map(|written| {
+        let of = discretisation(scheme.0, kernel.0, &read(written));
         let limit = of.stable_set().limit();
         let (degree, equation) = match (limit.exact(), limit.equation()) {
             (Some(exact), _) => (String::new(), exact.to_string()),
@@ -139,5 +144,5 @@ fn roots() -> Item {
         };
         cells![written, limit.decimal(30).unwrap_or_default(), degree, equation]
     });
-    text().table("limits_as_roots", &[], rows)
+    text.table("limits_as_roots", &[], rows)
 }

@@ -1,38 +1,13 @@
-//! What section 3.3 says of its figures: the measures by the names that the claims use.
+//! What is measured of a run of a Riemann problem, by the names that claims use. What is said of one wave is measured in
+//! the window of that wave, between the exact places of the waves.
 
-use super::runs::{Runs, TestRun, exact, gas, states};
-use super::text;
-use super::windows::{self, Places, Variable};
-use crate::claim::{Claim, Claims, rows};
-use crate::page::Item;
+use super::riemann_run::{RiemannRun, exact, gas, solution, states};
+use super::wave_windows::{self as windows, Places, Variable};
 use courant_simulation::comparison::Comparison;
-use courant_simulation::riemann::{Solution, Wave};
-use std::borrow::Cow;
+use courant_simulation::riemann::Wave;
 
-/// The table of claims. What is said of one wave is measured in the window of that wave, between the exact places of
-/// the waves.
-pub fn claims(runs: &Runs) -> Item {
-    let claims = Claims::from_toml(include_str!("../../../papers/ferrari2008/claims.toml"))
-        .expect("the file of claims is read by a test");
-    let found = claims
-        .judge(|claim, name, arguments, member| {
-            measure(run(runs, claim, member)?.as_ref(), name, arguments)
-        })
-        .expect("the claims are judged by a test");
-    text().table("section_3_statements", &[], rows(&found))
-}
-
-/// The run of a claim's test by a member: a method, with options where it is not run as in the figures.
-fn run<'a>(runs: &'a Runs, claim: &Claim, member: &str) -> Option<Cow<'a, TestRun>> {
-    let test = claim.place.strip_prefix("test ")?.parse().ok()?;
-    match member.split_once(' ') {
-        None => Some(Cow::Borrowed(runs.get(test, member))),
-        Some((name, option)) => TestRun::with_option(test, name, option).map(Cow::Owned),
-    }
-}
-
-/// A number of one run; not a number where there is none.
-fn measure(run: &TestRun, name: &str, arguments: &[&str]) -> Option<f64> {
+/// A number of one run, by the name that claims use; not a number where there is none, `None` where nothing has that name.
+pub fn measure(run: &RiemannRun, name: &str, arguments: &[&str]) -> Option<f64> {
     let comparison = &run.comparison;
     let or_none = |value: Option<f64>| value.unwrap_or(f64::NAN);
     let flag = |holds: bool| f64::from(u8::from(holds));
@@ -74,21 +49,17 @@ fn measure(run: &TestRun, name: &str, arguments: &[&str]) -> Option<f64> {
     })
 }
 
-fn solution(run: &TestRun) -> (Solution, f64) {
-    run.tube.riemann().expect("a tube is a Riemann problem")
-}
-
 /// `Σ|e|/N` of the velocity inside the left rarefaction over the difference across it.
-fn rarefaction_error(run: &TestRun) -> f64 {
-    let across = (solution(run).0.velocity() - states(&run.tube)[0].velocity()).abs();
+fn rarefaction_error(run: &RiemannRun) -> f64 {
+    let across = (solution(&run.tube).0.velocity() - states(&run.tube)[0].velocity()).abs();
     let window = Places::of(run).window("left-wave").expect("it is a window");
     Comparison::inside(&run.tube, &run.run, window).map_or(f64::NAN, |found| found.l1.velocity)
         / across
 }
 
 /// Points with a value strictly between 10 and 90 % of the way between two levels, near a place.
-fn points_in_jump(run: &TestRun, column: &[f64], levels: [f64; 2], speed: f64) -> f64 {
-    let place = solution(run).1 + speed * run.run.time;
+fn points_in_jump(run: &RiemannRun, column: &[f64], levels: [f64; 2], speed: f64) -> f64 {
+    let place = solution(&run.tube).1 + speed * run.run.time;
     let inside = |(x, value): &(&f64, &f64)| {
         let part = (*value - levels[0]) / (levels[1] - levels[0]);
         (*x - place).abs() < 0.12 && part > 0.1 && part < 0.9
@@ -96,22 +67,22 @@ fn points_in_jump(run: &TestRun, column: &[f64], levels: [f64; 2], speed: f64) -
     run.run.profile.x.iter().zip(column).filter(inside).count() as f64
 }
 
-fn points_in_contact(run: &TestRun) -> f64 {
-    let (solution, _) = solution(run);
+fn points_in_contact(run: &RiemannRun) -> f64 {
+    let (solution, _) = solution(&run.tube);
     let (left, right) = solution.densities();
     points_in_jump(run, &run.run.profile.density, [left, right], solution.velocity())
 }
 
 /// Points in the shock on the right; not a number where there is none.
-fn points_in_shock(run: &TestRun) -> f64 {
-    let (solution, _) = solution(run);
+fn points_in_shock(run: &RiemannRun) -> f64 {
+    let (solution, _) = solution(&run.tube);
     let Wave::Shock { speed } = solution.right_wave() else { return f64::NAN };
     let levels = [solution.pressure(), states(&run.tube)[1].pressure()];
     points_in_jump(run, &run.run.profile.pressure, levels, speed)
 }
 
 /// Largest ratio of computed to exact internal energy inside the domain.
-fn worst_energy(run: &TestRun) -> f64 {
+fn worst_energy(run: &RiemannRun) -> f64 {
     let (tube, profile) = (&run.tube, &run.run.profile);
     let ratio = |i: usize| {
         let exact = exact(tube, profile.x[i], run.run.time);

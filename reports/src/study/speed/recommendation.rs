@@ -1,13 +1,11 @@
 //! The cheapest choice for an error.
 
-use super::{Choice, Neighbours, Test, text};
+use super::{Choice, Test};
 use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
+use crate::paper_text::PaperText;
 use courant_simulation::advection::{Method, recommend};
-
-/// Errors to recommend for.
-const TARGETS: [f64; 5] = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3];
 
 fn describe(choice: &Choice) -> String {
     let Method { scheme, kernel, ratio, courant_number } = choice.method;
@@ -20,15 +18,15 @@ fn describe(choice: &Choice) -> String {
 }
 
 /// For each test, set of ratios and error the choice with the least work.
-pub(super) fn table(tests: &[Test], choices: &[Choice]) -> Item {
+pub(super) fn table(text: &PaperText, tests: &[Test<'_>]) -> Item {
     let mut rows = Vec::new();
     for test in tests {
-        for among in Neighbours::ALL {
-            for found in recommend(&test.costs(among, choices), &TARGETS) {
-                let mut row = cells![test.name(), among.name(), format!("{:.0e}", found.target)];
+        for among in &test.plan.among {
+            for found in recommend(&test.costs(among), &test.plan.targets) {
+                let mut row = cells![test.data.name, among.name, format!("{:.0e}", found.target)];
                 row.extend(match found.choice.map(|index| &test.points[index]) {
                     Some(point) => cells![
-                        describe(&choices[point.choice]),
+                        describe(&test.choices[point.choice]),
                         point.particles,
                         significant(point.run.interactions as f64, 3),
                         significant(point.run.comparison.l1, 3),
@@ -40,5 +38,5 @@ pub(super) fn table(tests: &[Test], choices: &[Choice]) -> Item {
             }
         }
     }
-    text().table("speed_recommendation", &[], rows)
+    text.table("speed_recommendation", &[], rows)
 }

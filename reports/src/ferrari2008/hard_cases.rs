@@ -1,10 +1,11 @@
 //! The hard cases of the limits, each answered by a computation.
 
-use super::super::table_1::{LimitKind, published_values, recipe};
-use super::{scheme, text};
+use super::table_1::{LimitKind, published_values, recipe};
+use super::text;
 use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
+use crate::study::plan::discretisation as scheme;
 use courant_analysis::exact::rational::{Rational, integer, parse, ratio, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::Step;
@@ -146,7 +147,7 @@ struct Constructed {
 }
 
 fn constructed() -> Vec<Constructed> {
-    let file = include_str!("../../../papers/ferrari2008/hard_cases.toml");
+    let file = include_str!("../../papers/ferrari2008/hard_cases.toml");
     let mut lists: std::collections::BTreeMap<String, Vec<Constructed>> =
         toml::from_str(file).expect("the file is read by a test");
     lists.remove("scheme").unwrap_or_default()
