@@ -15,12 +15,13 @@
 //!     description = "errors of every run"
 //!     source = "Table 1"
 //!     text = "Errors, {steps} steps"
-//!     columns = ["scheme", ">L1"]
+//!     columns = ["@method", ">L1"]
 //! "#)?;
-//! let item = text.table("errors", words!["steps" = 100], [cells!["upwind", 0.25]]);
+//! let item = text.table("errors", words!["steps" = 100], [cells!["gph3", 0.25]]);
 //! let Item::Table { table, .. } = item else { panic!("a table") };
 //! assert_eq!(table.caption(), "Errors, 100 steps");
-//! assert_eq!(table.to_csv(), "scheme,l1\nupwind,0.25\n");
+//! assert_eq!(table.to_csv(), "method,l1\ngph3,0.25\n");
+//! assert!(table.to_markdown().contains("| GPH case 3 | 0.25 |"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -28,6 +29,9 @@ use crate::CatalogueItem;
 use crate::figure::Figure;
 use crate::page::{Item, Section};
 use crate::table::{Align, Cell, Table};
+use courant_analysis::kernel::Kernel;
+use courant_simulation::advection::AdvectionScheme;
+use courant_simulation::method::Method;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -61,7 +65,8 @@ struct ItemText {
     source: String,
     /// The caption or the paragraph, with places for numbers in braces.
     text: String,
-    /// The columns of a table; those of numbers start with `>`.
+    /// The columns of a table; those of numbers start with `>`, those of methods, schemes and kernels by their names on the
+    /// command line with `@`: people read what they are called.
     #[serde(default)]
     columns: Vec<String>,
     /// What makes it again, if not the command of the report.
@@ -183,17 +188,27 @@ impl PaperText {
     ) -> Item {
         let item = self.item(name);
         let mut columns: Vec<(&str, Align)> = Vec::new();
+        let mut named = Vec::new();
         for column in &item.columns {
-            match column.strip_prefix('>') {
-                Some("{…}") => {
+            match column.split_at_checked(1) {
+                Some((">", "{…}")) => {
                     columns.extend(numbers.iter().map(|name| (name.as_str(), Align::Right)));
                 }
-                Some(number) => columns.push((number, Align::Right)),
-                None => columns.push((column, Align::Left)),
+                Some((">", number)) => columns.push((number, Align::Right)),
+                Some(("@", what)) => {
+                    named.push(columns.len());
+                    columns.push((what, Align::Left));
+                }
+                _ => columns.push((column, Align::Left)),
             }
         }
         let mut table = Table::new(self.text(name, words), &columns);
-        rows.into_iter().for_each(|row| table.push(row));
+        for row in rows {
+            table.push(row.into_iter().enumerate().map(|(index, cell)| {
+                let cell: Cell = cell.into();
+                if named.contains(&index) { with_title(cell) } else { cell }
+            }));
+        }
         Item::Table { name: name.into(), table, command: self.command_of(item) }
     }
 
@@ -216,6 +231,24 @@ impl PaperText {
 
     fn command_of(&self, item: &ItemText) -> String {
         item.command.as_ref().unwrap_or(&self.command).clone()
+    }
+}
+
+/// A method, scheme or kernel as people call it; what stands behind a comma stays.
+fn with_title(cell: Cell) -> Cell {
+    let (name, rest) = match cell.machine().split_once(',') {
+        Some((name, rest)) => (name, format!(",{rest}")),
+        None => (cell.machine(), String::new()),
+    };
+    let method = Method::named(name).map(|method| method.title());
+    let scheme = || name.parse().ok().map(AdvectionScheme::title);
+    let kernel = || name.parse().ok().map(Kernel::title);
+    match method.or_else(scheme).or_else(kernel) {
+        Some(title) => {
+            let called = format!("{title}{rest}");
+            cell.called(called)
+        }
+        None => cell,
     }
 }
 

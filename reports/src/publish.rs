@@ -56,11 +56,59 @@ impl OutputDirectory {
     /// # Errors
     /// When the file system refuses.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, PublishError> {
-        let path = self.path.join(name);
+        self.prepare(name, bytes)?.publish()
+    }
+
+    /// Writes a file beside its place, where it stays until it is [published](Prepared::publish): of several that belong together
+    /// one can be written while another is made.
+    ///
+    /// # Errors
+    /// When the file system refuses.
+    pub fn prepare(&self, name: &str, bytes: &[u8]) -> Result<Prepared, PublishError> {
         std::fs::create_dir_all(&self.path)
             .map_err(|source| PublishError { path: self.path.clone(), source })?;
-        write_whole(&path, bytes)?;
-        Ok(path)
+        Prepared::new(&self.path.join(name), bytes)
+    }
+}
+
+/// A file that is written but not in its place; it goes away unless it is published.
+#[derive(Debug)]
+pub struct Prepared {
+    path: PathBuf,
+    /// Absent when a device or a pipe has taken the bytes.
+    file: Option<tempfile::NamedTempFile<std::fs::File>>,
+}
+
+impl Prepared {
+    fn new(path: &Path, bytes: &[u8]) -> Result<Self, PublishError> {
+        let failed = |source| PublishError { path: path.to_owned(), source };
+        match std::fs::metadata(path) {
+            Ok(there) if !there.is_file() => {
+                let mut taker =
+                    std::fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
+                taker.write_all(bytes).map_err(failed)?;
+                return Ok(Self { path: path.to_owned(), file: None });
+            }
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                return Err(failed(error));
+            }
+            _ => {}
+        }
+        let file = temporary_file(directory_of(&behind_links(path))).map_err(failed)?;
+        file.as_file().write_all(bytes).map_err(failed)?;
+        Ok(Self { path: path.to_owned(), file: Some(file) })
+    }
+
+    /// Moves the file to its place, which is returned.
+    ///
+    /// # Errors
+    /// When the file system refuses.
+    pub fn publish(self) -> Result<PathBuf, PublishError> {
+        if let Some(file) = self.file {
+            let moved = file.persist(behind_links(&self.path));
+            moved.map_err(|error| PublishError { path: self.path.clone(), source: error.error })?;
+        }
+        Ok(self.path)
     }
 }
 
@@ -70,20 +118,7 @@ impl OutputDirectory {
 /// # Errors
 /// When the file system refuses.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PublishError> {
-    let failed = |source| PublishError { path: path.to_owned(), source };
-    match std::fs::metadata(path) {
-        Ok(there) if !there.is_file() => {
-            let mut taker = std::fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
-            return taker.write_all(bytes).map_err(failed);
-        }
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(failed(error)),
-        _ => {}
-    }
-    let target = behind_links(path);
-    let file = temporary_file(directory_of(&target)).map_err(failed)?;
-    file.as_file().write_all(bytes).map_err(failed)?;
-    file.persist(target).map_err(|error| failed(error.error))?;
-    Ok(())
+    Prepared::new(path, bytes)?.publish().map(|_| ())
 }
 
 /// Where links lead in the end, also when nothing is there yet; there are no circles where the system found none.

@@ -12,23 +12,34 @@ pub enum Align {
     Right,
 }
 
-/// One cell: what people read, and how LaTeX writes it if that differs.
+/// One cell: what people read, and what LaTeX and machines read if that differs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cell {
     text: String,
     latex: Option<String>,
+    machine: Option<String>,
 }
 
 impl Cell {
+    /// The same cell with another text for people; machines read what it was.
+    pub fn called(self, text: impl Into<String>) -> Self {
+        Self { machine: Some(self.text), ..Self::from(text) }
+    }
+
+    /// What machines read.
+    pub fn machine(&self) -> &str {
+        self.machine.as_deref().unwrap_or(&self.text)
+    }
+
     /// A cell that LaTeX writes differently, for example a fraction.
     pub fn with_latex(text: impl Into<String>, latex: impl Into<String>) -> Self {
-        Self { text: text.into(), latex: Some(latex.into()) }
+        Self { latex: Some(latex.into()), ..Self::from(text) }
     }
 }
 
 impl<T: Into<String>> From<T> for Cell {
     fn from(text: T) -> Self {
-        Self { text: text.into(), latex: None }
+        Self { text: text.into(), latex: None, machine: None }
     }
 }
 
@@ -271,8 +282,9 @@ impl Table {
         }
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(names).expect("writing to memory does not fail");
-        for row in self.rows() {
-            writer.write_record(row.map(machine_cell)).expect("rows are as long as the header");
+        for row in &self.rows {
+            let cells = row.iter().map(|cell| machine_cell(cell.machine()));
+            writer.write_record(cells).expect("rows are as long as the header");
         }
         let bytes = writer.into_inner().expect("writing to memory does not fail");
         String::from_utf8(bytes).expect("cells are UTF-8")

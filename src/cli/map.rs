@@ -13,7 +13,7 @@ use courant::analysis::exact::rational::ratio;
 use courant::analysis::kernel::Kernel;
 use courant::reports::figure::Figure;
 use courant::reports::plane_map::PlaneAxis;
-use courant::reports::publish::OutputDirectory;
+use courant::reports::publish::{OutputDirectory, Prepared};
 use courant::reports::stability_map::{MapPlan, stability_map};
 use courant::simulation::advection::AdvectionScheme;
 use rayon::prelude::*;
@@ -105,18 +105,22 @@ fn run_scheme(
     write(&output, &stem, &map.figure()?, || map.data_files(&stem))
 }
 
-/// Makes picture and data at the same time, writes them, and says where.
+/// Makes picture and data at the same time, writes them as they are ready, and says where when all are.
 fn write(
     output: &OutputDirectory,
     stem: &str,
     figure: &Figure,
     data: impl FnOnce() -> Vec<(String, Vec<u8>)> + Send,
 ) -> Result<Outcome, Failure> {
-    let ((png, svg), data) = rayon::join(|| rayon::join(|| figure.png(), || figure.svg()), data);
-    let (png, svg) = (png?, svg?.into_bytes());
-    let mut files = vec![(format!("{stem}.png"), png), (format!("{stem}.svg"), svg)];
-    files.extend(data);
-    let written = files.par_iter().map(|(name, bytes)| output.write(name, bytes));
-    let paths: Vec<PathBuf> = written.collect::<Result<_, _>>()?;
-    print(&paths.iter().map(|path| format!("{}\n", path.display())).collect::<String>())
+    let file = |name: &str, bytes: &[u8]| output.prepare(name, bytes).map_err(Failure::from);
+    let png = || file(&format!("{stem}.png"), &figure.png()?);
+    let svg = || file(&format!("{stem}.svg"), figure.svg()?.as_bytes());
+    let data = || data().par_iter().map(|(name, bytes)| file(name, bytes)).collect();
+    let ((png, svg), data) = rayon::join(|| rayon::join(png, svg), data);
+    let data: Result<Vec<Prepared>, Failure> = data;
+    let mut text = String::new();
+    for file in [png?, svg?].into_iter().chain(data?) {
+        text.push_str(&format!("{}\n", file.publish()?.display()));
+    }
+    print(&text)
 }

@@ -39,6 +39,10 @@ pub fn common_square_root(polynomials: &[Polynomial<Rational>]) -> Polynomial<Ra
 /// Whether cosine series, as polynomials in `cos φ`, certainly have no factor in common: they then have none modulo a prime that
 /// does not divide the leading coefficient of the first.
 pub(crate) fn have_no_common_factor(series: &[CosineSeries<BigInt>]) -> bool {
+    // A constant is divided by no wave.
+    if series.iter().any(|one| one.coefficients().len() == 1 && !one.coefficients()[0].is_zero()) {
+        return true;
+    }
     let field = PrimeField::largest();
     let mut images = series.iter().map(|series| {
         let values: Vec<u64> = series.coefficients().iter().map(|v| field.embed(v)).collect();
@@ -48,7 +52,10 @@ pub(crate) fn have_no_common_factor(series: &[CosineSeries<BigInt>]) -> bool {
     if first.len() != series[0].coefficients().len() || first.is_empty() {
         return false;
     }
-    images.fold(first, |common, image| divisor_modulo(common, image, &field)).len() == 1
+    let divisor = images.try_fold(first, |common, image| {
+        (common.len() > 1).then(|| divisor_modulo(common, image, &field))
+    });
+    divisor.is_none_or(|common| common.len() == 1)
 }
 
 /// Twice a cosine series as a polynomial in `y = 2 cos φ`, modulo a prime: Clenshaw's recurrence `b_m = r_m + y b_{m+1} − b_{m+2}`.

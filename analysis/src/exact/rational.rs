@@ -169,9 +169,17 @@ pub fn quotient_to_f64(numerator: &BigInt, denominator: &BigInt) -> f64 {
     if numerator.is_zero() {
         return 0.0;
     }
+    let (magnitude, exponent) = nearest_by_leading_bits(numerator, denominator)
+        .unwrap_or_else(|| nearest_by_division(numerator, denominator));
+    let result = scale_by_power_of_two(magnitude, exponent);
+    if numerator.is_negative() != denominator.is_negative() { -result } else { result }
+}
+
+/// The nearest `f64` to the magnitude of a quotient, and the power of two that it is to be multiplied by: by division.
+fn nearest_by_division(numerator: &BigInt, denominator: &BigInt) -> (f64, i64) {
     // 66 significant bits of the quotient, then one correct rounding by the integer conversion; the
     // sticky bit keeps ties honest.
-    let magnitude = numerator.abs();
+    let (magnitude, denominator) = (numerator.magnitude(), denominator.magnitude());
     let shift = 66 - (magnitude.bits() as i64 - denominator.bits() as i64);
     let (mut quotient, remainder) = if shift >= 0 {
         (magnitude << shift as u64).div_rem(denominator)
@@ -179,12 +187,33 @@ pub fn quotient_to_f64(numerator: &BigInt, denominator: &BigInt) -> f64 {
         magnitude.div_rem(&(denominator << (-shift) as u64))
     };
     if !remainder.is_zero() && quotient.is_even() {
-        quotient += 1;
+        quotient += 1u32;
     }
     // Below the normal range the second rounding of the scaling is harmless for our purposes.
-    let rounded = quotient.to_f64().unwrap_or(f64::INFINITY);
-    let result = scale_by_power_of_two(rounded, -shift);
-    if numerator.is_negative() != denominator.is_negative() { -result } else { result }
+    (quotient.to_f64().unwrap_or(f64::INFINITY), -shift)
+}
+
+/// The same by the leading 126 bits of the numerator and 62 of the denominator, nearly always enough; `None` where they are not.
+///
+/// With `n ≤ N/2^a < n + 1` and `d ≤ D/2^b < d + 1`, `n < 2^126` and `2^61 ≤ d < 2^62`, the quotient of `N/2^a` and `D/2^b` lies between
+/// `n/(d + 1) > n/d − n/d² > n/d − 16` and `(n + 1)/d < n/d + 1`: what both ends round to it rounds to as well.
+fn nearest_by_leading_bits(numerator: &BigInt, denominator: &BigInt) -> Option<(f64, i64)> {
+    let (n, a) = leading_bits(numerator, 126);
+    let (d, b) = leading_bits(denominator, 62);
+    let quotient = n / d;
+    let least = quotient.saturating_sub(16) as f64;
+    (least == (quotient + 2) as f64).then_some((least, a - b))
+}
+
+/// As many leading bits of a magnitude, at most 126, and the power of two that they are to be multiplied by; cut, not rounded.
+fn leading_bits(value: &BigInt, count: i64) -> (u128, i64) {
+    let mut digits = value.iter_u64_digits().rev().map(u128::from);
+    let mut next = || digits.next().unwrap_or(0);
+    let (first, second, third) = (next(), next(), next());
+    // 64 bits follow the first two digits: none of 126 leading ones is missed.
+    let zeros = first.leading_zeros() - 64;
+    let leading = (first << 64 | second) << zeros | third << zeros >> 64;
+    (leading >> (128 - count), value.bits() as i64 - count)
 }
 
 fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
@@ -237,6 +266,11 @@ pub(crate) fn product(left: &Rational, right: &Rational) -> Rational {
 fn twos_below(value: &Rational) -> Option<i64> {
     let twos = value.denom().trailing_zeros()?;
     (twos + 1 == value.denom().bits()).then_some(twos as i64)
+}
+
+/// Whether two are the same: fractions in lowest terms are written in one way, and compare themselves by continued fractions.
+pub(crate) fn equal(left: &Rational, right: &Rational) -> bool {
+    left.numer() == right.numer() && left.denom() == right.denom()
 }
 
 /// Which of two is the larger, by products: fractions compare themselves by continued fractions.

@@ -3,7 +3,7 @@
 
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
-    Rational, compare, dyadic, from_f64, integer, product, ratio, simplest_between,
+    Rational, compare, dyadic, equal, from_f64, integer, product, ratio, simplest_between,
 };
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
@@ -21,7 +21,7 @@ pub struct RealRoot {
 impl RealRoot {
     /// The root as a fraction, when it was recognised as one.
     pub fn exact(&self) -> Option<&Rational> {
-        (self.lower == self.upper).then_some(&self.lower)
+        equal(&self.lower, &self.upper).then_some(&self.lower)
     }
 }
 

@@ -26,8 +26,9 @@ impl RatioOutOfRange {
     /// # Errors
     /// When it is out of range.
     pub fn check(ratio: &Rational) -> Result<(), Self> {
+        let (numerator, denominator) = (ratio.numer(), ratio.denom());
         let accepted =
-            *ratio <= integer(MAX_RATIO) && ratio * integer(MAX_INVERSE_RATIO) >= integer(1);
+            *numerator <= denominator * MAX_RATIO && numerator * MAX_INVERSE_RATIO >= *denominator;
         accepted.then_some(()).ok_or_else(|| Self(crate::exact::rational::to_text(ratio)))
     }
 }

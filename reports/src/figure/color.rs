@@ -147,6 +147,14 @@ impl Bands {
         Bands::new(edges, (0..n).map(color).collect())
     }
 
+    /// Lower edges and colours from the lowest band to the highest.
+    pub(super) fn ascending(&self) -> (Vec<f64>, Vec<Color>) {
+        let last = self.edges[self.edges.len() - 1].next_up();
+        let below = self.below.map(|color| (f64::NEG_INFINITY, color));
+        let inner = self.edges.iter().copied().zip(self.colors.iter().copied());
+        below.into_iter().chain(inner).chain(self.above.map(|color| (last, color))).unzip()
+    }
+
     /// Paints values below the first edge too; the colour bar shows a pointed end.
     pub fn extend_below(mut self, color: Color) -> Bands {
         self.below = Some(color);
@@ -157,14 +165,6 @@ impl Bands {
     pub fn extend_above(mut self, color: Color) -> Bands {
         self.above = Some(color);
         self
-    }
-
-    /// The least value of each colour, in ascending order.
-    pub(super) fn lower_ends(&self) -> impl Iterator<Item = (f64, Color)> {
-        let last = self.edges[self.edges.len() - 1].next_up();
-        let below = self.below.map(|color| (f64::NEG_INFINITY, color));
-        let inner = self.edges.iter().copied().zip(self.colors.iter().copied());
-        below.into_iter().chain(inner).chain(self.above.map(|color| (last, color)))
     }
 
     /// The same bands, without the ends that none of the values needs: a colour bar must not promise what is not drawn.

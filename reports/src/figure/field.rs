@@ -6,8 +6,8 @@
 
 use super::{FigureError, geometry::Point};
 use ndarray::{Array2, Zip};
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::{Arc, Mutex};
 
 /// Whether all numbers are finite and each is larger than the one before.
 pub(super) fn strictly_increasing(numbers: &[f64]) -> bool {
@@ -15,13 +15,15 @@ pub(super) fn strictly_increasing(numbers: &[f64]) -> bool {
 }
 
 /// Values at the nodes of a rectangular grid, of shape `(x.len(), y.len())`: `values[[i, j]]` belongs to `(x[i], y[j])`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Field {
     pub(super) x: Vec<f64>,
     pub(super) y: Vec<f64>,
     /// Shared between layers and with the page.
     values: Arc<Array2<f64>>,
     border: Option<Arc<Array2<f64>>>,
+    /// What is known by the bits of each level: areas and lines, PNG and SVG follow the same outlines.
+    known: Arc<Mutex<HashMap<u64, Arc<Vec<Ring>>>>>,
 }
 
 impl Field {
@@ -32,7 +34,9 @@ impl Field {
     pub fn new(x: Vec<f64>, y: Vec<f64>, values: Array2<f64>) -> Result<Field, FigureError> {
         let shape = values.dim() == (x.len(), y.len()) && x.len() > 1 && y.len() > 1;
         match shape && strictly_increasing(&x) && strictly_increasing(&y) {
-            true => Ok(Field { x, y, values: Arc::new(values), border: None }),
+            true => {
+                Ok(Field { x, y, values: Arc::new(values), border: None, known: Arc::default() })
+            }
             false => Err(FigureError::Field),
         }
     }
@@ -44,7 +48,7 @@ impl Field {
     /// If the shape is another one.
     pub fn within(self, border: Array2<f64>) -> Result<Field, FigureError> {
         match border.dim() == self.values.dim() {
-            true => Ok(Field { border: Some(Arc::new(border)), ..self }),
+            true => Ok(Field { border: Some(Arc::new(border)), known: Arc::default(), ..self }),
             false => Err(FigureError::Field),
         }
     }
@@ -57,10 +61,10 @@ impl Field {
     /// Outlines of the regions where the field is at least each level: closed rings, counterclockwise around the region and
     /// clockwise around its holes.
     pub(super) fn regions(&self, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
-        let region = |rings: Vec<Ring>| {
-            let points = rings.into_iter().map(|ring| ring.into_iter().map(|place| place.0));
+        let region = |rings: Arc<Vec<Ring>>| {
             // Where the level only touches a node a ring is no more than a point.
-            points.map(Iterator::collect).filter(|ring: &Vec<Point>| ring.len() > 2).collect()
+            let areas = rings.iter().filter(|ring| ring.len() > 2);
+            areas.map(|ring| ring.iter().map(|place| self.point(place)).collect()).collect()
         };
         self.outlines(levels).into_iter().map(region).collect()
     }
@@ -68,7 +72,7 @@ impl Field {
     /// The lines of each level: the outlines without what runs along the border and the sides of the grid. A closed one
     /// repeats its first point.
     pub(super) fn isolines(&self, levels: &[f64]) -> Vec<Vec<Vec<Point>>> {
-        self.outlines(levels).into_iter().map(lines_of).collect()
+        self.outlines(levels).into_iter().map(|rings| self.lines_of(&rings)).collect()
     }
 
     fn is_inside(&self, node: [usize; 2], level: f64) -> bool {
@@ -98,35 +102,79 @@ impl Field {
     fn crossed_cells(&self, levels: &[f64]) -> Vec<Vec<[usize; 2]>> {
         let mut order: Vec<usize> = (0..levels.len()).collect();
         order.sort_by(|&a, &b| levels[a].total_cmp(&levels[b]));
-        let ascending: Vec<f64> = order.iter().map(|&which| levels[which]).collect();
         // How many levels each node reaches: a cell is crossed by those that some of its nodes reach and others do not.
-        let reaches = |value: &f64| ascending.partition_point(|level| level <= value);
-        let reached = match &self.border {
-            None => self.values.map(reaches),
-            Some(border) => Zip::from(&*self.values)
-                .and(&**border)
-                .map_collect(|value, border| if *border >= 0.0 { reaches(value) } else { 0 }),
-        };
+        // This is the inner loop of every map: counted for one level after the other, many nodes at once.
+        let mut reached = Array2::<i16>::zeros(self.values.dim());
+        for level in levels {
+            let counts = Zip::from(&mut reached).and(&*self.values);
+            counts.for_each(|count, value| *count += i16::from(value >= level));
+        }
+        if let Some(border) = &self.border {
+            let counts = Zip::from(&mut reached).and(&**border);
+            counts.for_each(|count, border| *count *= i16::from(*border >= 0.0));
+        }
         let (columns, rows) = self.values.dim();
         let mut cells = vec![Vec::new(); levels.len()];
+        let mut sides = vec![[0; 2]; rows];
         for i in 0..columns - 1 {
-            let (left, right) = (reached.row(i), reached.row(i + 1));
-            // Iterators rather than indices: this is the inner loop of every map.
-            let sides = left.iter().zip(right).map(|(&a, &b)| (a.min(b), a.max(b)));
-            for (j, ((low, high), next)) in sides.clone().zip(sides.skip(1)).enumerate() {
-                let (least, most) = (low.min(next.0), high.max(next.1));
-                let is_outer = j == 0 || i + 2 == columns || j + 2 == rows || i == 0;
+            let nodes = reached.row(i).into_iter().zip(reached.row(i + 1));
+            sides.iter_mut().zip(nodes).for_each(|(side, (&a, &b))| *side = [a.min(b), a.max(b)]);
+            let is_outer_column = i == 0 || i + 2 == columns;
+            for (j, ends) in sides.windows(2).enumerate() {
+                let [least, most] = [ends[0][0].min(ends[1][0]), ends[0][1].max(ends[1][1])];
+                let is_outer = is_outer_column || j == 0 || j + 2 == rows;
                 let first = if is_outer { 0 } else { least };
-                order[first..most].iter().for_each(|&which| cells[which].push([i, j]));
+                // Nearly always nothing.
+                if first < most {
+                    let crossing = &order[first as usize..most as usize];
+                    crossing.iter().for_each(|&which| cells[which].push([i, j]));
+                }
             }
         }
         cells
     }
 
     /// Rings of places of each level.
-    fn outlines(&self, levels: &[f64]) -> Vec<Vec<Ring>> {
-        let cells = self.crossed_cells(levels);
-        levels.iter().zip(cells).map(|(&level, cells)| self.outlines_in(&cells, level)).collect()
+    fn outlines(&self, levels: &[f64]) -> Vec<Arc<Vec<Ring>>> {
+        let mut known = self.known.lock().expect("nobody panics while contours are followed");
+        let mut new: Vec<f64> = levels.to_vec();
+        new.retain(|level| !known.contains_key(&level.to_bits()));
+        if !new.is_empty() {
+            for (level, cells) in new.iter().zip(self.crossed_cells(&new)) {
+                known.insert(level.to_bits(), Arc::new(self.outlines_in(&cells, *level)));
+            }
+        }
+        levels.iter().map(|level| known[&level.to_bits()].clone()).collect()
+    }
+
+    /// Follows the outlines of these levels, which are then known.
+    pub(super) fn follow(&self, levels: &[f64]) {
+        self.outlines(levels);
+    }
+
+    /// Where a place is.
+    fn point(&self, place: &Place) -> Point {
+        let [from, to] = place.ends.map(|[i, j]| [self.x[i], self.y[j]]);
+        super::geometry::between(from, to, place.way)
+    }
+
+    /// What of the rings runs along the level.
+    fn lines_of(&self, rings: &[Ring]) -> Vec<Vec<Point>> {
+        let mut lines = Vec::new();
+        for ring in rings {
+            let mut ring: Vec<&Place> = ring.iter().collect();
+            match ring.iter().position(|place| !place.of_level) {
+                Some(gap) => ring.rotate_left(gap),
+                None => ring.push(ring[0]),
+            }
+            let runs = ring.split(|place| !place.of_level).filter(|run| run.len() > 1);
+            lines.extend(runs.map(|run| {
+                let mut points: Vec<Point> = run.iter().map(|place| self.point(place)).collect();
+                points.dedup(); // a line through a node meets it on two sides
+                points
+            }));
+        }
+        lines
     }
 
     /// Rings of places, from the cells that may hold some.
@@ -166,15 +214,14 @@ impl Field {
         }
         let place = |key: usize| {
             let node = [key / 3 / rows, key / 3 % rows];
-            let at = |[i, j]: [usize; 2]| [self.x[i], self.y[j]];
             let end = match key % 3 {
-                0 => return (at(node), false),
+                0 => return Place { ends: [node; 2], way: 0.0, of_level: false },
                 1 => [node[0] + 1, node[1]],
                 _ => [node[0], node[1] + 1],
             };
-            let ends = if self.is_inside(node, level) { (node, end) } else { (end, node) };
-            let (t, of_level) = self.exit(ends.0, ends.1, level);
-            (super::geometry::between(at(ends.0), at(ends.1), t), of_level)
+            let ends = if self.is_inside(node, level) { [node, end] } else { [end, node] };
+            let (way, of_level) = self.exit(ends[0], ends[1], level);
+            Place { ends, way, of_level }
         };
         let mut rings = Vec::new();
         while let Some((start, mut to)) = next.pop_first() {
@@ -189,26 +236,19 @@ impl Field {
     }
 }
 
-/// Places, each with whether it is a crossing of the level.
-type Ring = Vec<(Point, bool)>;
-
-/// What of the rings runs along the level.
-fn lines_of(rings: Vec<Ring>) -> Vec<Vec<Point>> {
-    let mut lines = Vec::new();
-    for mut ring in rings {
-        match ring.iter().position(|place| !place.1) {
-            Some(gap) => ring.rotate_left(gap),
-            None => ring.push(ring[0]),
-        }
-        let runs = ring.split(|place| !place.1).filter(|run| run.len() > 1);
-        lines.extend(runs.map(|run| {
-            let mut points: Vec<Point> = run.iter().map(|place| place.0).collect();
-            points.dedup(); // a line through a node meets it on two sides
-            points
-        }));
-    }
-    lines
+/// A place on a side of a cell, or a node.
+#[derive(Debug)]
+struct Place {
+    /// The node inside and the one outside.
+    ends: [[usize; 2]; 2],
+    /// The part of the way from the one to the other.
+    way: f64,
+    /// Whether it is a crossing of the level, and not of the border.
+    of_level: bool,
 }
+
+/// The way around a region.
+type Ring = Vec<Place>;
 
 #[cfg(test)]
 mod tests {
@@ -217,10 +257,14 @@ mod tests {
 
     impl Field {
         fn region(&self, level: f64) -> Vec<Vec<Point>> {
-            // Among others, out of order, it is the same.
-            let several = self.regions(&[level + 0.5, level, level - 0.5, level]);
+            // Among others, out of order, it is the same, and so it is with others known before.
+            let fresh = || Field { known: Arc::default(), ..self.clone() };
+            let several = fresh().regions(&[level + 0.5, level, level - 0.5, level]);
             assert_eq!(several[1], several[3]);
-            let alone = self.regions(&[level]).swap_remove(0);
+            let alone = fresh().regions(&[level]).swap_remove(0);
+            let later = fresh();
+            later.follow(&[level + 0.5, level - 0.5]);
+            assert_eq!(later.regions(&[level]).swap_remove(0), alone);
             assert_eq!(several[1], alone);
             alone
         }

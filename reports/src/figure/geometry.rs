@@ -39,7 +39,8 @@ impl Rect {
 
 /// The distance of two points.
 pub(super) fn distance(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    // The page is small: squares neither overflow nor vanish.
+    ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt()
 }
 
 /// The point a fraction `t` of the way from `a` to `b`.

@@ -6,6 +6,7 @@ use super::{
     Axis, Canvas, Color, Dash, Field, FilledContours, Layer, POINT, Point, Rect, pen, text,
 };
 use crate::number::format_number;
+use rayon::prelude::*;
 
 /// Points of curves closer than this to their neighbours' chord are left out: 0.01 point.
 const TOLERANCE: f64 = 0.01 * POINT;
@@ -57,6 +58,12 @@ impl Frame<'_> {
 
 /// Draws layers in order, and the values of isolines over them.
 pub(super) fn layers(canvas: &mut Canvas, frame: &Frame, layers: &[Layer]) {
+    // Side by side: following contours is most of the work.
+    layers.par_iter().for_each(|layer| match layer {
+        Layer::FilledContours(contours) => contours.field.follow(&contours.bands.ascending().0),
+        Layer::Isolines(lines) => lines.field.follow(&lines.levels),
+        _ => {}
+    });
     let mut obstacles = Obstacles::new(frame.rect);
     let mut labelled = Vec::new();
     for layer in layers {
@@ -108,7 +115,7 @@ pub(super) fn layers(canvas: &mut Canvas, frame: &Frame, layers: &[Layer]) {
 /// Each band is painted from its lower edge all the way up and the next one over it: neighbours overlap, so no seam of
 /// background can show between them.
 fn bands(canvas: &mut Canvas, frame: &Frame, contours: &FilledContours) {
-    let (levels, colors): (Vec<f64>, Vec<Color>) = contours.bands.lower_ends().unzip();
+    let (levels, colors) = contours.bands.ascending();
     for (rings, color) in frame.field(&contours.field).regions(&levels).into_iter().zip(colors) {
         if !rings.is_empty() {
             canvas.fill(rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect(), color);

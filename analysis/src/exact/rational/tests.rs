@@ -1,4 +1,5 @@
 use super::*;
+use num_bigint::BigUint;
 use proptest::prelude::*;
 
 #[test]
@@ -158,5 +159,43 @@ proptest! {
         let unit = ratio(1, 2).pow(bits as i32);
         let (next, before) = (&lower + &unit, &upper - &unit);
         prop_assert!(low < &next * &next && (before.is_negative() || &before * &before <= high));
+    }
+}
+
+#[test]
+fn leading_bits_are_those_of_the_number() {
+    for bits in [1_u64, 62, 63, 64, 65, 126, 127, 128, 129, 191, 192, 193, 300] {
+        let value: BigInt = (BigInt::from(1) << bits) / 3 + 1;
+        let (leading, exponent) = leading_bits(&value, 126);
+        let whole = BigInt::from(leading);
+        // Cut, by the definition.
+        let cut = if exponent >= 0 { &value >> exponent } else { &value << -exponent };
+        assert_eq!((whole, leading.ilog2()), (cut, 125), "{bits}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn leading_bits_round_as_the_division_does(
+        numerator in prop::collection::vec(any::<u32>(), 1..12),
+        denominator in prop::collection::vec(any::<u32>(), 1..12),
+        mantissa in 1_u64 << 53..1 << 54,
+        shift in 0_u64..200,
+    ) {
+        let [numerator, denominator] = [numerator, denominator].map(|digits| BigInt::from(BigUint::new(digits)) + 1);
+        let same = |numerator: &BigInt, denominator: &BigInt| {
+            let (value, exponent) = nearest_by_division(numerator, denominator);
+            nearest_by_leading_bits(numerator, denominator)
+                .is_none_or(|(other, scale)| scale_by_power_of_two(other, scale) == scale_by_power_of_two(value, exponent))
+        };
+        prop_assert!(same(&numerator, &denominator));
+        // Odd: half-way between two numbers of 53 bits, and next to it; the leading bits may not tell, or must be right.
+        let tie: BigInt = (BigInt::from(mantissa | 1) * &denominator) << shift;
+        for near in [tie.clone() - 1, tie.clone(), tie.clone() + 1] {
+            prop_assert!(same(&near, &(&denominator << 7)));
+        }
+        prop_assert!(nearest_by_leading_bits(&tie, &denominator).is_none(), "a tie is for the division");
+        let even = BigInt::from(mantissa & !1) * &denominator;
+        prop_assert!(nearest_by_leading_bits(&even, &denominator).is_some(), "what has 53 bits is found");
     }
 }

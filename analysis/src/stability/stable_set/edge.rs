@@ -7,8 +7,8 @@ use crate::exact::descartes::sign_changes;
 use crate::exact::discriminant::primitive;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
-    Rational, compare, from_f64, integer, product, simplest_between, square_root_enclosure, to_f64,
-    to_f64_above, to_f64_below,
+    Rational, compare, equal, from_f64, integer, product, simplest_between, square_root_enclosure,
+    to_f64, to_f64_above, to_f64_below,
 };
 use crate::exact::real_roots::{RealRoot, real_roots, root_near};
 use crate::stability::critical::{Critical, refine};
@@ -143,7 +143,7 @@ impl Search<'_> {
             2 => ExactValue::square_root(t),
             _ => ExactValue::Fraction(t),
         };
-        let limit = if edge.lower == edge.upper && self.margin.is_exact() {
+        let limit = if equal(&edge.lower, &edge.upper) && self.margin.is_exact() {
             Limit::exactly(closed(edge.lower.clone()), evidence)
         } else if let Some(root) = self
             .critical_polynomials()

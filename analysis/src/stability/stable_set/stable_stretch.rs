@@ -4,7 +4,7 @@ use super::edge::Edge;
 use super::phase_parameter;
 use super::search::{Counterexample, Search, power_of_half};
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, integer, product, simplest_between, to_f64};
+use crate::exact::rational::{Rational, compare, integer, product, simplest_between, to_f64};
 use crate::exact::real_roots::real_roots;
 use crate::stability::critical::refine;
 use num_traits::Zero;
@@ -66,7 +66,7 @@ impl Search<'_> {
                 );
             }
             for lower in lowers {
-                if lower > *from
+                if compare(&lower, from).is_gt()
                     && self.is_unstable_just_above(&root.upper, &s)
                     && self.is_stable(from, &lower).is_ok()
                 {
@@ -85,7 +85,7 @@ impl Search<'_> {
         } else if let Some(edge) = interior {
             for bits in self.widths() {
                 let lower = product(&edge.upper, &(integer(1) - power_of_half(bits)));
-                if lower <= *from {
+                if compare(&lower, from).is_le() {
                     break;
                 }
                 match self.is_stable(from, &lower) {
