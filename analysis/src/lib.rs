@@ -4,6 +4,7 @@
 
 pub mod certificate;
 pub mod exact;
+pub mod interest;
 pub mod kernel;
 pub mod scheme;
 pub mod spelling;

@@ -40,6 +40,11 @@ impl<'a> Broadcast<'a> {
         self.shape.iter().product()
     }
 
+    /// How many arrays there are.
+    pub fn arrays(&self) -> usize {
+        self.views.len()
+    }
+
     /// The values of all arrays at a point, counted in C order.
     pub fn at(&self, point: usize, values: &mut [f64]) {
         for (value, view) in values.iter_mut().zip(&self.views) {

@@ -3,6 +3,7 @@
 use crate::error::bad;
 use crate::exact::number;
 use crate::subject::NativeSubject;
+use crate::watch::watched;
 use courant_reports::certificate_file::{certificates, parse, to_text, verify_all};
 use pyo3::prelude::*;
 use std::path::Path;
@@ -19,7 +20,8 @@ pub fn certify(
     let (sought, plan) = (subject.sought(false)?, subject.plan(max, None, budget)?);
     let budgets: Vec<_> =
         growth.iter().map(|text| number("growth", text)).collect::<PyResult<_>>()?;
-    let found = py.detach(|| certificates(&subject.0, &sought, &plan, &budgets));
+    let found =
+        watched(py, None, |watch| certificates(&subject.0, &sought, &watch.plan(plan), &budgets))?;
     to_text(&found.map_err(bad)?).map_err(bad)
 }
 

@@ -13,6 +13,7 @@ mod subject;
 mod sweep;
 mod symbol;
 mod validation;
+mod watch;
 mod waves;
 
 use courant_analysis::kernel::Kernel;

@@ -3,6 +3,7 @@
 use crate::error::{bad, of_subject};
 use crate::exact::{SetAnswer, json, number};
 use crate::subject::NativeSubject;
+use crate::watch::watched;
 use courant_analysis::scheme::SchemeError;
 use courant_analysis::stability::{PointVerdict, decide_step_at, verdict};
 use courant_reports::record::CheckRecord;
@@ -21,7 +22,8 @@ pub fn stable_set(
 ) -> PyResult<String> {
     let (sought, plan) = (subject.sought(false)?, subject.plan(max, growth, budget)?);
     let symbol = subject.0.symbol(&sought.parameter);
-    let found = py.detach(|| sought.step.stable_set(&sought.parameter, &plan));
+    let found =
+        watched(py, None, |watch| sought.step.stable_set(&sought.parameter, &watch.plan(plan)))?;
     json(&SetAnswer::new(&found.map_err(|error| subject.failed(error))?, &symbol))
 }
 
@@ -35,7 +37,8 @@ pub fn monotone_set(
 ) -> PyResult<String> {
     let (sought, plan) = (subject.sought(false)?, subject.plan(max, None, budget)?);
     let symbol = subject.0.symbol(&sought.parameter);
-    let found = py.detach(|| sought.step.monotone_set(&sought.parameter, &plan));
+    let found =
+        watched(py, None, |watch| sought.step.monotone_set(&sought.parameter, &watch.plan(plan)))?;
     match found.map_err(|error| subject.failed(error))? {
         Some(set) => json(&SetAnswer::new(&set, &symbol)),
         None => Err(bad(subject.0.without_monotonicity())),
@@ -68,8 +71,8 @@ pub fn check(
         Some(value) => value,
     };
     let budget = growth.map(|text| number("growth", text)).transpose()?;
-    let answer = py.detach(|| -> Result<_, SchemeError> {
-        let found = verdict::check(&sought.step, name, value, &plan)?;
+    let answer = watched(py, None, |watch| -> Result<_, SchemeError> {
+        let found = verdict::check(&sought.step, name, value, &watch.plan(plan))?;
         let within = match &budget {
             None => None,
             Some(growth) => Some(match decide_step_at(&sought.step.with(name, value)?, growth)? {
@@ -79,7 +82,7 @@ pub fn check(
             }),
         };
         Ok((found, within))
-    });
+    })?;
     let (found, within) = answer.map_err(|error| match error {
         error @ SchemeError::Singular { .. } => bad(error),
         error => of_subject(&subject.0.failure(error)),

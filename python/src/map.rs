@@ -1,8 +1,9 @@
 //! Planes of a parameter, or of the smoothing ratio, and another parameter.
 
-use crate::error::{bad, of_subject};
+use crate::error::{bad, of_subject, of_sweep};
 use crate::subject::NativeSubject;
-use crate::sweep::{Column, RATIO, arrays, stopped, watched};
+use crate::sweep::{Column, RATIO, arrays, stopped};
+use crate::watch::watched;
 use courant_analysis::exact::rational::Rational;
 use courant_analysis::scheme::Step;
 use courant_analysis::stability::{Limit, SearchPlan};
@@ -60,14 +61,15 @@ pub fn gains<'py>(
     if let Some(value) = ys.iter().find(|value| !value.is_finite()) {
         return Err(bad(format!("{y}: {value} is no finite number")));
     }
-    let found = watched(py, report, |progress| {
-        let rows = with_progress(xs.par_iter(), progress, |value| {
+    let found = watched(py, report, |watch| -> Result<_, SweepError> {
+        let rows = with_progress(xs.par_iter(), watch.progress, |value| {
             Ok(plane.step(value)?.gain_extremes(y, &ys)?)
         })?;
         let mut map = GainMap::from_rows(&rows, ys.len());
         map.growth += 1.0;
         Ok(map)
     })?;
+    let found = found.map_err(|error| of_sweep(&error))?;
     let answer = PyDict::new(py);
     answer.set_item("largest", found.growth.into_pyarray(py))?;
     answer.set_item("lowest", found.lowest_gain.into_pyarray(py))?;
@@ -95,13 +97,15 @@ pub fn stable<'py>(
     let plan = SearchPlan::default();
     let plan = if max.is_positive() { plan.up_to(max) } else { plan };
     let dimension = subject.0.open_step().map_err(|error| of_subject(&error))?.dimension();
-    let rows: Vec<(Limit, Vec<bool>)> = watched(py, report, |progress| {
-        with_progress(xs.par_iter(), progress, |value| {
+    let rows = watched(py, report, |watch| {
+        let plan = watch.plan(plan);
+        with_progress(xs.par_iter(), watch.progress, |value| {
             let set = plane.step(value)?.stable_set(y, &plan)?;
             let inside = ys.iter().map(|value| set.contains(value)).collect();
             Ok((set.limit(), inside))
         })
     })?;
+    let rows = rows.map_err(|error| of_sweep(&error))?;
     let (limits, inside): (Vec<Limit>, Vec<Vec<bool>>) = rows.into_iter().unzip();
     let answer = arrays(py, &limits, dimension)?;
     let inside = Array2::from_shape_vec((xs.len(), ys.len()), inside.concat()).map_err(bad)?;

@@ -2,6 +2,7 @@
 
 use crate::error::{bad, of_scheme};
 use crate::exact::{SetAnswer, json, number};
+use crate::watch::watched;
 use courant_analysis::exact::rational::{Rational, to_f64, to_text};
 use courant_analysis::scheme::measurement::{
     Base, Experiment, MOST_VALUES, Objection, Probe, Probed, StateLayout,
@@ -28,7 +29,7 @@ fn measure(
     probe: &Probe,
     step: &Py<PyAny>,
     report: Option<&Py<PyAny>>,
-    plan: &SearchPlan,
+    plan: SearchPlan,
 ) -> PyResult<Probed> {
     let (ask, asked) = channel::<Ask>();
     let mut raised: Option<PyErr> = None;
@@ -84,7 +85,7 @@ fn measure(
         })?,
         Err(panic) => std::panic::resume_unwind(panic),
     };
-    py.detach(|| probe.analyse(stencils, plan)).map_err(bad)
+    watched(py, None, |watch| probe.analyse(stencils, &watch.plan(plan)))?.map_err(bad)
 }
 
 /// Exact values for a list of texts.
@@ -144,7 +145,7 @@ impl NativeProbe {
         let probe = Probe { experiment, unknowns, sought: parameter, fit, judged };
         let plan = SearchPlan::default().up_to(number("max", max)?);
         let plan = SearchPlan { budget: budget.unwrap_or(plan.budget), ..plan };
-        let found = measure(py, &probe, &step, report.as_ref(), &plan)?;
+        let found = measure(py, &probe, &step, report.as_ref(), plan)?;
         Ok(Self { record: ProbeRecord::new(&probe, Ok(&found)), found })
     }
 
@@ -161,7 +162,7 @@ impl NativeProbe {
         };
         let value = number(name, value)?;
         let at = measured.step.with(name, &value).map_err(|error| of_scheme(&error))?;
-        let found = py.detach(|| judge(&at, &measured.growth));
+        let found = watched(py, None, |_| judge(&at, &measured.growth))?;
         let found = found.map_err(|error| of_scheme(&error))?;
         json(&JudgementRecord::new(Some(&value), &found))
     }

@@ -4,8 +4,8 @@ use crate::error::{bad, of_file, of_scheme, of_subject, of_text};
 use crate::exact::number;
 use courant_analysis::exact::rational::{Rational, to_text};
 use courant_analysis::kernel::{Density, Kernel};
-use courant_analysis::scheme::catalogue::{self, Known, SchemeFile};
-use courant_analysis::scheme::{Integrator, language};
+use courant_analysis::scheme::Integrator;
+use courant_analysis::scheme::catalogue::{self, SchemeFile};
 use courant_analysis::stability::SearchPlan;
 use courant_reports::subject::{Kind, PRESSURE, Sought, Subject};
 use pyo3::prelude::*;
@@ -15,23 +15,6 @@ use std::sync::Arc;
 #[pyclass(frozen, name = "Subject", module = "courant_stability._native")]
 pub struct NativeSubject(pub Subject);
 
-/// A scheme of one's own without anything around it.
-fn typed(text: &str) -> PyResult<SchemeFile> {
-    let equations = language::parse(text).map_err(|error| of_text(&error))?;
-    let name = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    Ok(SchemeFile {
-        title: name.clone(),
-        name,
-        equations: equations.into(),
-        parameter: None,
-        exact: None,
-        source: String::new(),
-        notes: String::new(),
-        parameters: Default::default(),
-        known: Known::default(),
-    })
-}
-
 /// A file of the catalogue, a file's text, or equations: a text with a line `name = …` is a file, one with `[` equations.
 fn file(kind: Kind, source: &str) -> PyResult<SchemeFile> {
     let is_file = |line: &str| line.split_once('=').is_some_and(|(key, _)| key.trim() == "name");
@@ -39,7 +22,7 @@ fn file(kind: Kind, source: &str) -> PyResult<SchemeFile> {
         return SchemeFile::from_toml(source).map_err(|error| of_file(&error));
     }
     if kind == Kind::Equation || source.contains('[') {
-        return typed(source);
+        return SchemeFile::typed(source).map_err(|error| of_text(&error));
     }
     let found = match kind {
         Kind::Space => catalogue::space(source),
@@ -55,14 +38,6 @@ fn integrator(text: &str, particles: bool) -> PyResult<Integrator> {
     }
     let find = if particles { Integrator::for_particles } else { Integrator::named };
     find(text).cloned().ok_or_else(|| bad(format!("there is no integrator `{text}`")))
-}
-
-fn density(text: &str) -> PyResult<Density> {
-    match text {
-        "summation" => Ok(Density::Summation),
-        "continuity" => Ok(Density::MassPerSpacing),
-        _ => Err(bad(format!("density: `{text}`; accepted: summation, continuity"))),
-    }
 }
 
 #[pymethods]
@@ -118,8 +93,8 @@ impl NativeSubject {
         }
         let eos = is_method.then(|| eos.unwrap_or("isothermal").parse()).transpose();
         let eos = eos.map_err(|error: String| bad(format!("eos: {error}")))?;
-        let density =
-            is_method.then(|| self::density(density.unwrap_or("summation"))).transpose()?;
+        let density = is_method.then(|| density.map_or(Ok(Density::default()), str::parse));
+        let density = density.transpose().map_err(|error| bad(format!("density: {error}")))?;
         let mut set: Vec<(String, Rational)> = Vec::new();
         for (name, text) in values {
             set.push((name.clone(), number(&name, &text)?));

@@ -1,31 +1,24 @@
-//! Limits over many values of parameters, and how long work is watched from Python.
+//! Limits over many values of parameters.
 
 use crate::error::{bad, of_subject, of_sweep};
 use crate::exact::{LimitAnswer, decimal, json, number};
 use crate::subject::NativeSubject;
+use crate::watch::watched;
 use courant_analysis::exact::rational::Rational;
 use courant_analysis::scheme::{SchemeError, Step};
 use courant_analysis::stability::{Cause, Evidence, Limit, SearchPlan};
-use courant_analysis::waves::sweep::{Progress, SweepError, with_progress};
+use courant_analysis::waves::sweep::{SweepError, with_progress};
 use courant_reports::subject::{Subject, SubjectError};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::time::Duration;
 
 /// What stands behind a limit, by its number in arrays.
 pub const EVIDENCE: [&str; 5] = ["proved", "enclosed", "sampled", "measured", "undecided"];
 
 /// Which wave sets a limit, by its number in arrays; −1 is none.
 pub const CAUSES: [&str; 3] = ["long-wave", "interior", "shortest-wave"];
-
-/// How often Python is asked whether to stop.
-const LOOK: Duration = Duration::from_millis(100);
 
 fn evidence(evidence: Evidence) -> i8 {
     place(&EVIDENCE, evidence.name())
@@ -37,65 +30,6 @@ fn cause(cause: Option<Cause>) -> i8 {
 
 fn place(all: &[&str], name: &str) -> i8 {
     all.iter().position(|one| *one == name).map_or(-1, |place| place as i8)
-}
-
-/// Does long work in another thread, without the interpreter's lock. Meanwhile this thread tells `report` how much is done, and stops the
-/// work when the user interrupts or `report` raises.
-pub fn watched<T: Send>(
-    py: Python<'_>,
-    report: Option<Py<PyAny>>,
-    work: impl FnOnce(Progress<'_>) -> Result<T, SweepError> + Send,
-) -> PyResult<T> {
-    let (done, all, stop) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));
-    let advance = |now: usize, of: usize| {
-        all.store(of, Ordering::Relaxed);
-        done.fetch_max(now, Ordering::Relaxed);
-        if stop.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    };
-    let tell = |py: Python<'_>| -> PyResult<()> {
-        py.check_signals()?;
-        let (done, all) = (done.load(Ordering::Relaxed), all.load(Ordering::Relaxed));
-        match &report {
-            Some(report) if all > 0 => report.call1(py, (done, all)).map(|_| ()),
-            _ => Ok(()),
-        }
-    };
-    let (raised, advance) = (Mutex::new(None), &advance);
-    let found = py.detach(|| {
-        let (ended, end) = channel();
-        std::thread::scope(|scope| {
-            let worker = scope.spawn(move || {
-                let found = work(advance);
-                // Nobody listens any more only where the other thread has panicked.
-                let _ = ended.send(());
-                found
-            });
-            while end.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
-                if stop.load(Ordering::Relaxed) {
-                    continue;
-                }
-                if let Err(error) = Python::attach(tell) {
-                    stop.store(true, Ordering::Relaxed);
-                    raised.lock().map(|mut raised| *raised = Some(error)).unwrap_or_default();
-                }
-            }
-            worker.join()
-        })
-    });
-    if let Some(error) = raised.into_inner().unwrap_or_default() {
-        return Err(error);
-    }
-    match found {
-        Ok(found) => {
-            tell(py)?;
-            found.map_err(|error| of_sweep(&error))
-        }
-        Err(panic) => std::panic::resume_unwind(panic),
-    }
 }
 
 /// The values of a parameter, one for each point.
@@ -184,10 +118,10 @@ fn at(subject: &Subject, names: &[String], values: &[Rational]) -> Subject {
 pub fn stopped(error: SubjectError) -> SweepError {
     match error {
         SubjectError::Ratio(error) => SweepError::Ratio(error),
-        other => SweepError::Scheme(match other.problem() {
-            Some(problem) => problem.clone(),
-            None => SchemeError::Integrator(other.to_string()),
-        }),
+        other => match other.problem() {
+            Some(problem) => problem.clone().into(),
+            None => SchemeError::Integrator(other.to_string()).into(),
+        },
     }
 }
 
@@ -223,19 +157,20 @@ pub fn limits<'py>(
     let family = Family::new(&subject.0, &names, &point(0)).map_err(|error| of_subject(&error))?;
     let plan = subject.plan(max, growth, budget)?;
     let ratio = names.iter().position(|name| name == RATIO).filter(|_| max.is_none());
-    let decide = |index: usize| -> Result<Limit, SweepError> {
-        let values = point(index);
-        let step = family.step(&values).map_err(stopped)?;
-        // The range of schemes with kernels grows with the ratio.
-        let plan = match ratio {
-            Some(_) => plan_at(&subject.0, &names, &values, &plan),
-            None => plan.clone(),
-        };
-        Ok(step.stable_set(&family.parameter, &plan)?.limit())
-    };
-    let limits = watched(py, report, |progress| {
-        with_progress((0..count).into_par_iter(), progress, decide)
+    let limits = watched(py, report, |watch| {
+        let plan = watch.plan(plan);
+        with_progress((0..count).into_par_iter(), watch.progress, |index| {
+            let values = point(index);
+            let step = family.step(&values).map_err(stopped)?;
+            // The range of schemes with kernels grows with the ratio.
+            let plan = match ratio {
+                Some(_) => plan_at(&subject.0, &names, &values, &plan),
+                None => plan.clone(),
+            };
+            Ok(step.stable_set(&family.parameter, &plan)?.limit())
+        })
     })?;
+    let limits = limits.map_err(|error| of_sweep(&error))?;
     let answer = arrays(py, &limits, family.dimension)?;
     answer.set_item("parameter", &family.parameter)?;
     if records {

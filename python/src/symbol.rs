@@ -3,6 +3,7 @@
 use crate::error::of_subject;
 use crate::exact::json;
 use crate::subject::NativeSubject;
+use crate::watch::watched;
 use courant_reports::record::SymbolRecord;
 use courant_reports::symbol::Symbol;
 use pyo3::prelude::*;
@@ -21,7 +22,7 @@ struct SymbolAnswer {
 /// What `courant symbol` says, with the modified equation as text, as JSON.
 #[pyfunction]
 pub fn symbol(py: Python<'_>, subject: &NativeSubject, terms: Option<usize>) -> PyResult<String> {
-    let found = py.detach(|| Symbol::new(subject.0.clone(), terms));
+    let found = watched(py, None, |_| Symbol::new(subject.0.clone(), terms))?;
     let found = found.map_err(|error| of_subject(&error))?;
     let order = found.order.as_ref().ok();
     let equation = order.and_then(|order| Some((&order.series, order.terms.as_ref()?)));

@@ -1,19 +1,22 @@
 //! What one step does to waves, over arrays of phases and of values of parameters.
 
 use crate::broadcast::Broadcast;
-use crate::error::{bad, of_subject};
+use crate::error::{bad, of_subject, of_sweep};
 use crate::exact::decimal;
 use crate::subject::NativeSubject;
+use crate::watch::watched;
 use courant_analysis::scheme::SchemeError;
 use courant_analysis::waves::CompiledStep;
 use courant_analysis::waves::branches::Branches;
 use courant_analysis::waves::exact_wave::ExactWave;
 use courant_reports::subject::SubjectError;
 use num_complex::Complex64;
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn};
+use numpy::{Element, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+
+type Floats<'py> = PyReadonlyArrayDyn<'py, f64>;
 
 /// A step with some parameters open, and where each of its own is among the arrays.
 struct Compiled {
@@ -22,7 +25,8 @@ struct Compiled {
 }
 
 impl Compiled {
-    fn new(subject: &NativeSubject, names: &[String], phases: usize) -> PyResult<Self> {
+    /// For arrays of values of these parameters, followed by those of phases.
+    fn new(subject: &NativeSubject, names: &[String], arrays: &[Floats<'_>]) -> PyResult<Self> {
         let but: Vec<&str> = names.iter().map(String::as_str).collect();
         let step = subject.0.opened(&but).map_err(|error| of_subject(&error))?;
         let known = step.names().parameters().map(|(name, _)| name.to_string());
@@ -31,8 +35,8 @@ impl Compiled {
             let name = name.clone();
             return Err(of_subject(&SubjectError::UnknownParameter { name, known }));
         }
-        if step.dimension() != phases {
-            let dimension = step.dimension();
+        let (dimension, phases) = (step.dimension(), arrays.len() - names.len());
+        if dimension != phases {
             return Err(bad(format!(
                 "{phases} phases for {dimension} space dimensions: one for each axis"
             )));
@@ -44,21 +48,36 @@ impl Compiled {
         Ok(Self { places: places.collect::<PyResult<_>>()?, step })
     }
 
-    /// `z − 1` at a point whose values are followed by its phases.
-    fn differences(&self, point: &[f64]) -> Vec<Complex64> {
+    /// The multipliers at a point whose values are followed by its phases.
+    fn multipliers(&self, point: &[f64]) -> impl Iterator<Item = Complex64> {
         let values: Vec<f64> = self.places.iter().map(|&place| point[place]).collect();
-        self.step.differences(&values, &point[point.len() - self.step.dimension()..])
+        let phases = &point[point.len() - self.step.dimension()..];
+        self.step.differences(&values, phases).into_iter().map(|difference| difference + 1.0)
+    }
+
+    /// What `of` makes of the multipliers at all points.
+    fn at_all<T: Send>(
+        &self,
+        py: Python<'_>,
+        points: &Broadcast<'_>,
+        of: impl Fn(&mut dyn Iterator<Item = Complex64>) -> T + Sync + Send,
+    ) -> PyResult<Vec<T>> {
+        let at = |point| {
+            let mut values = vec![0.0; points.arrays()];
+            points.at(point, &mut values);
+            of(&mut self.multipliers(&values))
+        };
+        watched(py, None, |watch| watch.over((0..points.len()).into_par_iter(), at))?
+            .map_err(|error| of_sweep(&error))
     }
 }
 
-/// What `of` makes of every point, one after another.
-fn over<T: Send>(points: &Broadcast<'_>, of: impl Fn(&[f64]) -> T + Sync, width: usize) -> Vec<T> {
-    let at = |point| {
-        let mut values = vec![0.0; width];
-        points.at(point, &mut values);
-        of(&values)
-    };
-    (0..points.len()).into_par_iter().map(at).collect()
+fn shaped<'py, T: Element>(
+    py: Python<'py>,
+    values: Vec<T>,
+    shape: &[usize],
+) -> PyResult<Bound<'py, PyArrayDyn<T>>> {
+    PyArray1::from_vec(py, values).reshape(shape)
 }
 
 /// The multipliers of waves, along a last axis.
@@ -67,18 +86,12 @@ pub fn multipliers<'py>(
     py: Python<'py>,
     subject: &NativeSubject,
     names: Vec<String>,
-    arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
+    arrays: Vec<Floats<'py>>,
 ) -> PyResult<Bound<'py, PyArrayDyn<Complex64>>> {
-    let compiled = Compiled::new(subject, &names, arrays.len() - names.len())?;
-    let (points, width) = (Broadcast::new(&arrays)?, arrays.len());
-    let of = |point: &[f64]| {
-        let found = compiled.differences(point);
-        found.into_iter().map(|y| y + 1.0).collect::<Vec<_>>()
-    };
-    let found = py.detach(|| over(&points, of, width).concat());
-    let mut shape = points.shape.clone();
-    shape.push(compiled.step.degree());
-    PyArray1::from_vec(py, found).reshape(shape)
+    let compiled = Compiled::new(subject, &names, &arrays)?;
+    let points = Broadcast::new(&arrays)?;
+    let found = compiled.at_all(py, &points, |all| all.collect::<Vec<_>>())?;
+    shaped(py, found.concat(), &[&points.shape[..], &[compiled.step.degree()]].concat())
 }
 
 /// The largest modulus among the multipliers of waves.
@@ -87,16 +100,12 @@ pub fn gain<'py>(
     py: Python<'py>,
     subject: &NativeSubject,
     names: Vec<String>,
-    arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
+    arrays: Vec<Floats<'py>>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    let compiled = Compiled::new(subject, &names, arrays.len() - names.len())?;
-    let (points, width) = (Broadcast::new(&arrays)?, arrays.len());
-    let of = |point: &[f64]| {
-        let found = compiled.differences(point);
-        found.into_iter().map(|y| (y + 1.0).norm()).fold(0.0, f64::max)
-    };
-    let found = py.detach(|| over(&points, of, width));
-    PyArray1::from_vec(py, found).reshape(points.shape.clone())
+    let compiled = Compiled::new(subject, &names, &arrays)?;
+    let points = Broadcast::new(&arrays)?;
+    let found = compiled.at_all(py, &points, |all| all.map(Complex64::norm).fold(0.0, f64::max))?;
+    shaped(py, found, &points.shape)
 }
 
 /// A ray of waves of one step: the values of parameters and the direction, by their bits.
@@ -110,16 +119,15 @@ pub fn speeds<'py>(
     py: Python<'py>,
     subject: &NativeSubject,
     names: Vec<String>,
-    arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
+    arrays: Vec<Floats<'py>>,
 ) -> PyResult<Speeds<'py>> {
-    let (count, axes) = (names.len(), arrays.len() - names.len());
-    Compiled::new(subject, &names, axes)?;
+    Compiled::new(subject, &names, &arrays)?;
     let points = Broadcast::new(&arrays)?;
     let (mut rays, mut point) =
         (BTreeMap::<Ray, Vec<(f64, usize)>>::new(), vec![0.0; arrays.len()]);
     for place in 0..points.len() {
         points.at(place, &mut point);
-        let (_, phases) = point.split_at_mut(count);
+        let (_, phases) = point.split_at_mut(names.len());
         let modulus = phases.iter().map(|phase| phase * phase).sum::<f64>().sqrt();
         if modulus > 0.0 && modulus.is_finite() {
             phases.iter_mut().for_each(|phase| *phase /= modulus);
@@ -127,21 +135,21 @@ pub fn speeds<'py>(
             rays.entry(bits).or_default().push((modulus, place));
         }
     }
-    let along = |(ray, waves): (Ray, Vec<(f64, usize)>)| -> PyResult<Vec<(usize, [f64; 2])>> {
+    let along = |(ray, waves): (Ray, Vec<(f64, usize)>)| {
         let values: Vec<f64> = ray.into_iter().map(f64::from_bits).collect();
-        speeds_along(subject, &names, &values[..count], &values[count..], waves)
+        let (values, direction) = values.split_at(names.len());
+        speeds_along(subject, &names, values, direction, waves)
     };
     let rays: Vec<_> = rays.into_iter().collect();
-    let found = py.detach(|| rays.into_par_iter().map(along).collect::<Vec<_>>());
+    let found = watched(py, None, |watch| watch.over(rays.into_par_iter(), along))?;
     let mut speeds = [vec![f64::NAN; points.len()], vec![f64::NAN; points.len()]];
-    for ray in found {
+    for ray in found.map_err(|error| of_sweep(&error))? {
         for (place, [phase, group]) in ray? {
             (speeds[0][place], speeds[1][place]) = (phase, group);
         }
     }
-    let array = |values| PyArray1::from_vec(py, values).reshape(points.shape.clone());
     let [phase, group] = speeds;
-    Ok((array(phase)?, array(group)?))
+    Ok((shaped(py, phase, &points.shape)?, shaped(py, group, &points.shape)?))
 }
 
 /// Relative phase and group speed at waves of one direction, each with its place.

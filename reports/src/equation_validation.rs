@@ -2,6 +2,7 @@
 
 use crate::subject::{Sought, Subject, SubjectError};
 use courant_analysis::exact::rational::to_f64;
+use courant_analysis::interest::Interest;
 use courant_analysis::scheme::KernelLattice;
 use courant_analysis::stability::SearchPlan;
 use courant_analysis::waves::CompiledStep;
@@ -33,8 +34,8 @@ impl<'a> RunningSubject<'a> {
     ///
     /// # Errors
     /// When the limit cannot be asked for.
-    pub fn about_the_limit(&self) -> Result<Vec<f64>, SubjectError> {
-        let plan = SearchPlan::default().up_to(self.subject.range(None));
+    pub fn about_the_limit(&self, interest: Interest) -> Result<Vec<f64>, SubjectError> {
+        let plan = SearchPlan::default().up_to(self.subject.range(None)).while_wanted(interest);
         let set = self.sought.step.stable_set(&self.sought.parameter, &plan);
         let limit = set.map_err(|error| self.subject.failure(error))?.limit().value();
         let is_positive = limit.is_finite() && limit > 0.0;

@@ -2,7 +2,7 @@
 
 use super::run;
 use super::subject::Kind;
-use courant::analysis::kernel::{Density, Kernel};
+use courant::analysis::kernel::{Density, Kernel, UnknownDensity};
 use courant::analysis::scheme::catalogue::SchemeFile;
 use courant::analysis::scheme::{Integrator, catalogue};
 use courant::analysis::spelling::spells;
@@ -36,11 +36,7 @@ pub fn integrator(name: &str, particles: bool) -> Result<Arc<Integrator>, String
 
 /// A density of particle methods by name.
 pub fn density(text: &str) -> Result<Density, String> {
-    match text.to_ascii_lowercase().as_str() {
-        "summation" => Ok(Density::Summation),
-        "continuity" | "mass" | "mass-per-spacing" => Ok(Density::MassPerSpacing),
-        _ => Err("accepted: summation, continuity".into()),
-    }
+    text.parse().map_err(|error: UnknownDensity| error.to_string())
 }
 
 /// What a name is that is not what its option takes: a scheme, a space, a method, an integrator.

@@ -90,8 +90,10 @@ pub fn certify_stability(
         let base = Certificate { levels, ..base };
         return torus::certificates(&base, &derived, &chi, set, plan);
     }
-    let conditions = derived.iter().map(|one| Condition::new(one, &chi.letters, subject));
-    let conditions = conditions.collect::<Result<Vec<_>, _>>()?;
+    let condition = |one| Condition::new(one, &chi.letters, subject);
+    let conditions = derived.iter().map(condition).collect::<Result<Vec<_>, _>>()?;
+    let wanted = |one: Condition| one.while_wanted(&plan.interest);
+    let conditions: Vec<_> = conditions.into_iter().map(wanted).collect();
     let base = base(subject, Question::Stability, &plan.growth, &conditions);
     certificates(Certificate { levels, ..base }, &conditions, set, &plan.max)
 }

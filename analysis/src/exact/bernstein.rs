@@ -6,6 +6,7 @@
 //! coefficient here is never above the true one, and "nowhere negative" is a theorem.
 
 use crate::exact::rational::{Rational, common_denominator, numerator_over};
+use crate::interest::Interest;
 use crate::stability::margin::Margin;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -19,7 +20,7 @@ mod cover;
 mod resolution;
 
 pub(crate) use basis::polar_weights;
-use basis::{binomials, scaled_bernstein};
+use basis::{binomials, scaled_bernstein, stretched};
 pub use cover::{SignedBox, exact_cover};
 
 /// How much work a decision took: counts, not seconds, so that tests can hold it down.
@@ -71,6 +72,8 @@ pub struct MarginForm {
     radius: Vec<BigInt>,
     binomials: Vec<BigInt>,
     fixed_point_bits: u32,
+    /// Whether decisions are still wanted.
+    interest: Interest,
 }
 
 impl MarginForm {
@@ -84,7 +87,19 @@ impl MarginForm {
             radius: margin.integer_radius().to_vec(),
             binomials: binomials(degree),
             fixed_point_bits: FIXED_POINT_BITS,
+            interest: Interest::default(),
         }
+    }
+
+    /// The same, undecided once nobody wants to know.
+    #[must_use]
+    pub fn while_wanted(self, interest: &Interest) -> Self {
+        Self { interest: interest.clone(), ..self }
+    }
+
+    /// Whether decisions are still wanted.
+    pub(crate) fn is_wanted(&self) -> bool {
+        !self.interest.is_lost()
     }
 
     /// The same, fit to tell the sign of a margin that is only `2^−bits` of its size.
@@ -145,13 +160,15 @@ impl MarginForm {
             let rows = self.in_fixed_point(&rows, bits, |value, binomial| {
                 Some(Integer::div_floor(&value.to_i128()?, &binomial.to_i128()?))
             });
-            nowhere_negative(rows?, [from, to], max_boxes, true)
+            nowhere_negative(rows?, [from, to], max_boxes, true, &self.interest)
         });
         narrow.unwrap_or_else(|| {
             let bits = i64::from(self.fixed_point_bits);
             let divided = |value: BigInt, binomial: &BigInt| Some(value.div_floor(binomial));
             self.in_fixed_point(&rows, bits, divided)
-                .and_then(|rows| nowhere_negative(rows, [from, to], max_boxes, false))
+                .and_then(|rows| {
+                    nowhere_negative(rows, [from, to], max_boxes, false, &self.interest)
+                })
                 .expect("long integers hold any number, and no doubt stops them")
         })
     }
@@ -238,6 +255,7 @@ fn nowhere_negative<T: Fixed>(
     [from, to]: [&Rational; 2],
     max_boxes: usize,
     stops_at_doubts: bool,
+    interest: &Interest,
 ) -> Option<(Sign, Work)> {
     let mut work = Work::default();
     // Boxes with the left end of their s-interval in units of 2^−depth, coarse ones first: a
@@ -266,7 +284,7 @@ fn nowhere_negative<T: Fixed>(
                 }
             }
         }
-        if work.boxes + pending.len() + 2 > max_boxes {
+        if work.boxes + pending.len() + 2 > max_boxes || interest.is_lost() {
             return Some((Sign::Undecided, work));
         }
         let (left, right) = halve(current, |sum, _, level| sum.halved(level));
@@ -324,8 +342,7 @@ pub fn is_negative_integer_polynomial(
     to: &Rational,
 ) -> Option<bool> {
     let (mut positive, mut negative) = (false, false);
-    for weights in polar_weights(coefficients.len().saturating_sub(1), from, to) {
-        let value: BigInt = weights.iter().zip(coefficients).map(|(w, value)| w * value).sum();
+    for value in stretched(coefficients, from, to) {
         positive |= value.is_positive();
         negative |= value.is_negative();
     }
@@ -403,6 +420,7 @@ mod tests {
                 radius: vec![BigInt::zero()],
                 binomials: binomials(degree),
                 fixed_point_bits: FIXED_POINT_BITS,
+                interest: Interest::default(),
             };
             let float = series.map(|value| to_f64(&Rational::from(value.clone())));
             let lowest = (0..=2000)

@@ -1,6 +1,7 @@
 //! Square matrices of Laurent polynomials: elimination by units, determinants.
 
 use crate::exact::laurent::{Laurent, VARIABLES};
+use crate::interest::Interest;
 use num_traits::Zero;
 
 /// A matrix by rows.
@@ -113,6 +114,11 @@ impl Matrix {
     /// # Panics
     /// When it is not square, or has more than [`MOST_ROWS`] rows.
     pub fn determinant(&self) -> Laurent {
+        self.determinant_while(&Interest::default())
+    }
+
+    /// [`determinant`](Self::determinant), and zero once nobody wants it.
+    pub(crate) fn determinant_while(&self, interest: &Interest) -> Laurent {
         let size = self.size();
         assert!(size <= MOST_ROWS && self.rows.iter().all(|row| row.len() == size));
         // minors[set]: the determinant of the first |set| rows and the columns of the set.
@@ -123,6 +129,9 @@ impl Matrix {
             let mut sum = Laurent::default();
             let mut sign = row.is_multiple_of(2);
             for column in (0..size).filter(|column| set & (1 << column) != 0) {
+                if interest.is_lost() {
+                    return Laurent::default();
+                }
                 let entry = &self.rows[row][column];
                 let minor = &minors[set & !(1 << column)];
                 if !entry.is_zero() && !minor.is_zero() {

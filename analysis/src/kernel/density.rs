@@ -38,17 +38,17 @@ impl Density {
 impl std::str::FromStr for Density {
     type Err = UnknownDensity;
     fn from_str(text: &str) -> Result<Self, UnknownDensity> {
-        let wanted = text.trim().to_ascii_lowercase();
-        [Self::Summation, Self::MassPerSpacing]
-            .into_iter()
-            .find(|density| density.name() == wanted)
-            .ok_or_else(|| UnknownDensity(text.into()))
+        match text.trim().to_ascii_lowercase().as_str() {
+            "summation" => Ok(Self::Summation),
+            "continuity" | "mass" | "mass-per-spacing" => Ok(Self::MassPerSpacing),
+            _ => Err(UnknownDensity(text.into())),
+        }
     }
 }
 
 /// A name that is no density's.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("there is no density `{0}`; write summation or mass-per-spacing")]
+#[error("there is no density `{0}`; accepted: summation, continuity")]
 pub struct UnknownDensity(pub String);
 
 /// A positive number and how far it may be from the true one.

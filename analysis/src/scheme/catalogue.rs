@@ -129,6 +129,25 @@ struct File {
 }
 
 impl SchemeFile {
+    /// Equations with nothing around them: they are their own name.
+    ///
+    /// # Errors
+    /// When the text is not understood.
+    pub fn typed(text: &str) -> Result<Self, LanguageError> {
+        let name = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        Ok(Self {
+            title: name.clone(),
+            name,
+            equations: parse(text)?.into(),
+            parameter: None,
+            exact: None,
+            source: String::new(),
+            notes: String::new(),
+            parameters: BTreeMap::new(),
+            known: Known::default(),
+        })
+    }
+
     /// Reads a file.
     ///
     /// # Errors

@@ -93,6 +93,9 @@ pub enum SchemeError {
     /// More than one space dimension.
     #[error("{0} space dimensions: limits are decided in one")]
     Dimension(usize),
+    /// [Interest](crate::interest::Interest) in the answer was lost.
+    #[error("the work was cancelled")]
+    Cancelled,
 }
 
 fn list(names: &[String]) -> String {

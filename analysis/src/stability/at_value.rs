@@ -7,6 +7,7 @@ use crate::exact::laurent::Laurent;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, common_denominator, integer, numerator_over};
 use crate::exact::unit_interval::Zeros;
+use crate::interest::Interest;
 use crate::scheme::Names;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -73,9 +74,14 @@ impl DemandsAt {
 
     /// Whether all waves meet them: exact.
     pub(crate) fn decide(&self) -> PointVerdict<Wave> {
+        self.decide_while(&Interest::default())
+    }
+
+    /// [`decide`](Self::decide), undecided where nobody wants to know any longer.
+    pub(crate) fn decide_while(&self, interest: &Interest) -> PointVerdict<Wave> {
         let all = match self {
             Self::All(all) => all,
-            Self::OnTorus(all) => return decide_on_torus(all),
+            Self::OnTorus(all) => return decide_on_torus(all, interest),
             Self::Nowhere(dimension) => {
                 return PointVerdict::Unstable(Wave::new(vec![FRAC_PI_2; *dimension]));
             }

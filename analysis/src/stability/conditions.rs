@@ -7,6 +7,7 @@
 use crate::exact::laurent::{Laurent, Variable, greatest_common_divisor};
 use crate::exact::matrix::Matrix;
 use crate::exact::rational::Rational;
+use crate::interest::Interest;
 use crate::scheme::Names;
 
 /// What a condition says about the multipliers.
@@ -72,6 +73,16 @@ impl Conditions {
     /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
     /// ```
     pub fn new(characteristic: &Laurent, growth: &Rational, names: &Names) -> Self {
+        Self::while_wanted(characteristic, growth, names, &Interest::default())
+    }
+
+    /// [`new`](Self::new), undecided once nobody wants them.
+    pub(crate) fn while_wanted(
+        characteristic: &Laurent,
+        growth: &Rational,
+        names: &Names,
+        interest: &Interest,
+    ) -> Self {
         let content = characteristic.content(Variable::TIME);
         let primitive = characteristic.divide_exactly(&content).expect("a content divides");
         let mut coefficients = primitive.coefficients(Variable::TIME);
@@ -84,7 +95,10 @@ impl Conditions {
             *coefficient = coefficient.scaled(&factor);
         }
         let mut conditions = Self::default();
-        conditions.add(coefficients, false, names);
+        conditions.add(coefficients, false, names, interest);
+        if interest.is_lost() {
+            return Self { undecided: true, ..Self::default() };
+        }
         for requirement in &mut conditions.requirements {
             let reduced = names.reduce(std::mem::take(&mut requirement.polynomial));
             conditions.undecided |= reduced.is_zero();
@@ -94,7 +108,16 @@ impl Conditions {
     }
 
     /// Adds what `Σ_m a_m z^m` asks for.
-    fn add(&mut self, coefficients: Vec<Laurent>, on_circle: bool, names: &Names) {
+    fn add(
+        &mut self,
+        coefficients: Vec<Laurent>,
+        on_circle: bool,
+        names: &Names,
+        interest: &Interest,
+    ) {
+        if interest.is_lost() {
+            return;
+        }
         let coefficients = without_content(coefficients);
         let degree = coefficients.len() - 1;
         let reversed: Vec<Laurent> = coefficients.iter().rev().map(Laurent::conjugate).collect();
@@ -104,7 +127,7 @@ impl Conditions {
             names.reduce(difference).is_zero()
         });
         if proportional {
-            self.add_on_circle(coefficients, names);
+            self.add_on_circle(coefficients, names, interest);
             return;
         }
         let whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
@@ -115,16 +138,16 @@ impl Conditions {
             let common = common.divide_exactly(&content).expect("a content divides");
             if let Some(rest) = whole.divide_exactly(&common) {
                 let part = |polynomial: &Laurent| polynomial.coefficients(Variable::TIME);
-                self.add_on_circle(part(&common), names);
-                self.add_inside(part(&rest.primitive()), on_circle);
+                self.add_on_circle(part(&common), names, interest);
+                self.add_inside(part(&rest.primitive()), on_circle, interest);
                 return;
             }
         }
-        self.add_inside(coefficients, on_circle);
+        self.add_inside(coefficients, on_circle, interest);
     }
 
     /// Cohn: all roots of a self-inversive polynomial lie on the circle if and only if those of its derivative lie in the disc.
-    fn add_on_circle(&mut self, coefficients: Vec<Laurent>, names: &Names) {
+    fn add_on_circle(&mut self, coefficients: Vec<Laurent>, names: &Names, interest: &Interest) {
         let mut whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
         let derivative = whole.derivative(Variable::TIME);
         let repeated = greatest_common_divisor(&whole, &derivative);
@@ -134,16 +157,17 @@ impl Conditions {
             whole = simple;
         }
         if whole.degree(Variable::TIME) > 1 {
-            self.add(whole.derivative(Variable::TIME).coefficients(Variable::TIME), true, names);
+            let derivative = whole.derivative(Variable::TIME).coefficients(Variable::TIME);
+            self.add(derivative, true, names, interest);
         }
     }
 
     /// At least one root, and none in common with the reversed conjugate.
-    fn add_inside(&mut self, coefficients: Vec<Laurent>, on_circle: bool) {
+    fn add_inside(&mut self, coefficients: Vec<Laurent>, on_circle: bool, interest: &Interest) {
         let degree = coefficients.len() - 1;
-        let requirements = match real(&coefficients).and_then(|real| jury(&real)) {
+        let requirements = match real(&coefficients).and_then(|real| jury(&real, interest)) {
             Some(requirements) => requirements,
-            None => match schur_cohn(&coefficients) {
+            None => match schur_cohn(&coefficients, interest) {
                 Some(requirements) => requirements,
                 None => {
                     self.nowhere = true;
@@ -152,6 +176,9 @@ impl Conditions {
             },
         };
         for (condition, polynomial) in requirements {
+            if interest.is_lost() {
+                return;
+            }
             // Squares out of the way: boxes do not decide where they touch zero.
             let odd = if degree > 1 { polynomial.odd_part() } else { polynomial.clone() };
             let square = polynomial.divide_exactly(&odd).expect("the odd part divides");
@@ -182,7 +209,7 @@ fn real(coefficients: &[Laurent]) -> Option<Vec<Laurent>> {
 
 /// Jury's conditions for real coefficients `[a_0, …, a_n]`, each times a power of `a_n` so that its sign does not matter. `None`
 /// when an inner determinant vanishes identically.
-fn jury(a: &[Laurent]) -> Option<Vec<(Condition, Laurent)>> {
+fn jury(a: &[Laurent], interest: &Interest) -> Option<Vec<(Condition, Laurent)>> {
     let degree = a.len() - 1;
     let leading = &a[degree];
     let constant = leading.as_constant();
@@ -231,7 +258,7 @@ fn jury(a: &[Laurent]) -> Option<Vec<(Condition, Laurent)>> {
             while size > 2 * margin {
                 let inner = (margin..size - margin)
                     .map(|row| (margin..size - margin).map(|column| entry(row, column)).collect());
-                let determinant = Matrix::new(inner.collect()).determinant();
+                let determinant = Matrix::new(inner.collect()).determinant_while(interest);
                 if determinant.is_zero() {
                     return None;
                 }
@@ -246,7 +273,7 @@ fn jury(a: &[Laurent]) -> Option<Vec<(Condition, Laurent)>> {
 
 /// The Schur–Cohn minors of complex coefficients `[a_0, …, a_n]`; `None` when one vanishes identically and the last does not, so that
 /// the form is nowhere definite.
-fn schur_cohn(a: &[Laurent]) -> Option<Vec<(Condition, Laurent)>> {
+fn schur_cohn(a: &[Laurent], interest: &Interest) -> Option<Vec<(Condition, Laurent)>> {
     let degree = a.len() - 1;
     // H_ij = Σ_k (a_{n−i+k} ā_{n−j+k} − ā_{i−k} a_{j−k}), k ≤ min(i, j), from 0.
     let entry = |i: usize, j: usize| {
@@ -258,7 +285,7 @@ fn schur_cohn(a: &[Laurent]) -> Option<Vec<(Condition, Laurent)>> {
     (1..=degree)
         .map(|size| {
             let rows = (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect());
-            let minor = Matrix::new(rows.collect()).determinant();
+            let minor = Matrix::new(rows.collect()).determinant_while(interest);
             (!minor.is_zero()).then_some((Condition::Minor(size), minor))
         })
         .collect()

@@ -13,6 +13,7 @@ use super::torus::{TorusDemands, stable_set_on_torus};
 use super::wave::Wave;
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::{Rational, integer};
+use crate::interest::Interest;
 use crate::scheme::{LetterKind, SchemeError, Step};
 use crate::stability::conditions::Condition;
 use crate::waves::growth_at;
@@ -34,6 +35,8 @@ pub struct SearchPlan {
     pub known: Rational,
     /// Whether the search ends where the first stretch of stable values does: all that a limit asks for.
     pub first_only: bool,
+    /// Whether the answer is still wanted.
+    pub interest: Interest,
 }
 
 /// What a scheme asks for.
@@ -67,6 +70,7 @@ impl Default for SearchPlan {
             budget: usize::MAX,
             known: Rational::zero(),
             first_only: false,
+            interest: Interest::default(),
         }
     }
 }
@@ -88,6 +92,20 @@ impl SearchPlan {
     #[must_use]
     pub fn knowing(self, strict: &Limit) -> Self {
         Self { known: strict.certain_lower().unwrap_or_default(), ..self }
+    }
+
+    /// Only as long as the answer is wanted.
+    #[must_use]
+    pub fn while_wanted(self, interest: Interest) -> Self {
+        Self { interest, ..self }
+    }
+
+    /// That the answer is still wanted.
+    ///
+    /// # Errors
+    /// When it is not.
+    pub(crate) fn goes_on(&self) -> Result<(), SchemeError> {
+        if self.interest.is_lost() { Err(SchemeError::Cancelled) } else { Ok(()) }
     }
 
     /// With narrower enclosures.
@@ -145,11 +163,11 @@ impl Step {
         let mut plan = SearchPlan { first_only: true, ..plan.clone() };
         let mut limits: Vec<Limit> = Vec::with_capacity(growths.len());
         for growth in growths {
+            plan = plan.growing(growth.clone());
             let demands = match &series {
                 Some(series) => Demands::All(vec![Inequality::of_gain(series.growing(growth))]),
-                None => self.inequalities(parameter, growth)?,
+                None => self.inequalities_while(parameter, &plan)?,
             };
-            plan = plan.growing(growth.clone());
             let limit = self.stable_set_under(parameter, &demands, &plan)?.limit();
             plan = plan.knowing(&limit);
             limits.push(limit);
@@ -160,7 +178,7 @@ impl Step {
     /// All values of a parameter for which no wave grows.
     ///
     /// # Errors
-    /// As [`limit`](Self::limit).
+    /// As [`limit`](Self::limit), and when the plan's [interest](Interest) is lost.
     pub fn stable_set(&self, parameter: &str, plan: &SearchPlan) -> Result<StableSet, SchemeError> {
         if plan.growth.is_positive() && plan.known.is_zero() {
             // What does not grow at all does not grow too fast: only the rest is searched.
@@ -170,7 +188,7 @@ impl Step {
                 return self.stable_set(parameter, &plan.clone().knowing(&strict));
             }
         }
-        self.stable_set_under(parameter, &self.inequalities(parameter, &plan.growth)?, plan)
+        self.stable_set_under(parameter, &self.inequalities_while(parameter, plan)?, plan)
     }
 
     /// [`stable_set`](Self::stable_set) with what is asked for known.
@@ -186,6 +204,7 @@ impl Step {
             Demands::All(inequalities) => intersection(inequalities, plan),
             Demands::OnTorus(demands) => stable_set_on_torus(demands, plan),
         };
+        plan.goes_on()?;
         // One condition of one multiplier knows how fast each wave grows; of others only signs are known.
         let one = set.immediate_binding.is_some_and(|b| b.condition == Condition::Minor(1));
         if set.immediately_unstable.is_some() && !one {
@@ -199,8 +218,10 @@ impl Step {
         // 0 itself is a stable value where stability begins there; else it is decided like any other.
         set.at_zero = set.intervals.first().is_some_and(|first| first.from.upper() == 0.0)
             || self.with(parameter, &Rational::zero()).is_ok_and(|at_zero| {
-                decide_step_at(&at_zero, &plan.growth) == Ok(PointVerdict::Stable)
+                decide_step_while(&at_zero, &plan.growth, &plan.interest)
+                    == Ok(PointVerdict::Stable)
             });
+        plan.goes_on()?;
         // Beyond a budget for growth a multiple multiplier outside the circle is nothing special.
         let set = if plan.growth.is_zero() { set.with_ends(self, parameter)? } else { set };
         Ok(set.of_step(self))
@@ -211,7 +232,16 @@ impl Step {
     /// # Errors
     /// As [`limit`](Self::limit).
     pub fn inequalities(&self, parameter: &str, growth: &Rational) -> Result<Demands, SchemeError> {
-        self.inequalities_in(Some(self.sought(parameter)?), growth)
+        self.inequalities_while(parameter, &SearchPlan::default().growing(growth.clone()))
+    }
+
+    /// [`inequalities`](Self::inequalities) for a plan, as long as they are wanted.
+    pub(crate) fn inequalities_while(
+        &self,
+        parameter: &str,
+        plan: &SearchPlan,
+    ) -> Result<Demands, SchemeError> {
+        self.inequalities_in(Some(self.sought(parameter)?), &plan.growth, &plan.interest)
     }
 
     /// The only parameter without a value.
@@ -226,15 +256,20 @@ impl Step {
         &self,
         variable: Option<Variable>,
         growth: &Rational,
+        interest: &Interest,
     ) -> Result<Demands, SchemeError> {
         let characteristic = self.characteristic()?;
         if self.dimension != 1 {
-            return Ok(self.demands_on_torus(&characteristic, variable, growth));
+            let demands = self.demands_on_torus(&characteristic, variable, growth, interest);
+            return if interest.is_lost() { Err(SchemeError::Cancelled) } else { Ok(demands) };
         }
         if let Some(margin) = gain_margin(&characteristic, self, variable, growth) {
             return Ok(Demands::All(vec![Inequality::of_gain(margin)]));
         }
-        let conditions = Conditions::new(&characteristic, growth, &self.names);
+        let conditions = Conditions::while_wanted(&characteristic, growth, &self.names, interest);
+        if interest.is_lost() {
+            return Err(SchemeError::Cancelled);
+        }
         if conditions.nowhere {
             return Ok(Demands::Nowhere(1));
         }
@@ -248,7 +283,7 @@ impl Step {
         if inequalities.iter().any(vanishes) && self.names.letters().next().is_some() {
             // What vanishes for these values of the letters only is not seen in letters.
             if let Some(expanded) = self.expanded() {
-                return expanded.inequalities_in(variable, growth);
+                return expanded.inequalities_in(variable, growth, interest);
             }
         }
         Ok(Demands::All(inequalities))
@@ -260,6 +295,7 @@ impl Step {
         characteristic: &Laurent,
         variable: Option<Variable>,
         growth: &Rational,
+        interest: &Interest,
     ) -> Demands {
         let requirements = match squared_gain(characteristic, self, growth) {
             Some(gain) => vec![Requirement {
@@ -269,7 +305,8 @@ impl Step {
                 square: Laurent::integer(1),
             }],
             None => {
-                let conditions = Conditions::new(characteristic, growth, &self.names);
+                let conditions =
+                    Conditions::while_wanted(characteristic, growth, &self.names, interest);
                 if conditions.nowhere {
                     return Demands::Nowhere(self.dimension);
                 }
@@ -279,7 +316,7 @@ impl Step {
                 conditions.requirements
             }
         };
-        match TorusDemands::new(&requirements, self.dimension, variable) {
+        match TorusDemands::new(&requirements, self.dimension, variable, interest) {
             Some(demands) => Demands::OnTorus(demands),
             None => Demands::Unknown,
         }
@@ -340,9 +377,18 @@ fn gain_margin(
 /// # Errors
 /// When a parameter has no value.
 pub fn decide_step_at(step: &Step, growth: &Rational) -> Result<PointVerdict<Wave>, SchemeError> {
+    decide_step_while(step, growth, &Interest::default())
+}
+
+/// [`decide_step_at`], undecided where nobody wants to know any longer.
+fn decide_step_while(
+    step: &Step,
+    growth: &Rational,
+    interest: &Interest,
+) -> Result<PointVerdict<Wave>, SchemeError> {
     let open = step.free_parameters();
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
-    Ok(DemandsAt::new(&step.inequalities_in(None, growth)?).decide())
+    Ok(DemandsAt::new(&step.inequalities_in(None, growth, interest)?).decide_while(interest))
 }

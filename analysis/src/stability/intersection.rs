@@ -64,8 +64,9 @@ pub(super) fn intersection(inequalities: &[Inequality], plan: &SearchPlan) -> St
         let mut allowed =
             [FIRST_PATIENCE, MAX_PATIENCE].into_iter().filter(|one| *one <= plan.budget);
         allowed.any(|patience| {
-            let outside =
-                |one: &Inequality| is_unstable_throughout(&one.margin, &lower, &upper, patience);
+            let outside = |one: &Inequality| {
+                is_unstable_throughout(&one.margin, &lower, &upper, patience, &plan.interest)
+            };
             ordered.iter().any(|(_, one)| outside(one))
         })
     };
@@ -188,8 +189,8 @@ fn window_end(limit: &Limit, max: &Rational) -> Rational {
 fn holds_beyond(margin: &Margin, plan: &SearchPlan) -> bool {
     let t = plan.max.pow(margin.stride() as i32);
     let boxes = MAX_BOXES.min(plan.budget);
-    MarginForm::new(margin).reversed().sign(&Rational::zero(), &t.recip(), boxes).0
-        == Sign::NowhereNegative
+    let form = MarginForm::new(margin).while_wanted(&plan.interest).reversed();
+    form.sign(&Rational::zero(), &t.recip(), boxes).0 == Sign::NowhereNegative
 }
 
 #[cfg(test)]

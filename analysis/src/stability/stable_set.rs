@@ -13,6 +13,7 @@ mod unstable_stretch;
 use super::{Binding, Evidence, ExactValue, Limit, SearchPlan, Wave};
 use crate::exact::bernstein::Work;
 use crate::exact::rational::{Rational, from_f64, to_f64};
+use crate::interest::Interest;
 use crate::scheme::Step;
 use crate::stability::margin::Margin;
 pub(crate) use edge::fraction_or_root;
@@ -140,6 +141,7 @@ pub(crate) fn search_within(
 ) -> StableSet {
     Search::new(margin, max_courant, plan.bits)
         .within(plan.budget)
+        .while_wanted(&plan.interest)
         .first_only(plan.first_only)
         .patient(FIRST_PATIENCE)
         .knowing(known)
@@ -163,8 +165,10 @@ pub(crate) fn is_unstable_throughout(
     lower: &Rational,
     upper: &Rational,
     patience: usize,
+    interest: &Interest,
 ) -> bool {
-    let mut search = Search::new(margin, upper, DEFAULT_BITS).patient(patience);
+    let search = Search::new(margin, upper, DEFAULT_BITS).patient(patience);
+    let mut search = search.while_wanted(interest);
     search.is_unstable_throughout(lower, upper)
 }
 

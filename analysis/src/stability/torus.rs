@@ -20,7 +20,8 @@ use super::Binding;
 use super::conditions::Requirement;
 use crate::exact::laurent::Laurent;
 use crate::exact::laurent::Variable;
-use crate::exact::tensor::{CubeSign, sign_on_cube};
+use crate::exact::tensor::{CubeSign, cuts_of_cube};
+use crate::interest::Interest;
 pub(crate) use cell::Cell;
 
 /// Boxes that the sign of a factor without the parameter may take.
@@ -40,11 +41,12 @@ impl TorusDemands {
         requirements: &[Requirement],
         dimension: usize,
         parameter: Option<Variable>,
+        interest: &Interest,
     ) -> Option<Self> {
         let polynomials = requirements.iter().map(|one| &one.polynomial);
         let stride = parameter.map_or(1, |parameter| piece::stride_of(polynomials, parameter));
         let inequality =
-            |one: &Requirement| TorusInequality::new(one, dimension, parameter, stride);
+            |one: &Requirement| TorusInequality::new(one, dimension, parameter, stride, interest);
         let inequalities = requirements.iter().map(inequality).collect::<Option<_>>()?;
         Some(Self { inequalities, stride })
     }
@@ -66,6 +68,7 @@ impl TorusInequality {
         dimension: usize,
         parameter: Option<Variable>,
         stride: usize,
+        interest: &Interest,
     ) -> Option<Self> {
         // Squares out of the way: boxes do not decide where they touch zero.
         let (mut polynomial, mut square) = (requirement.polynomial.clone(), Laurent::integer(1));
@@ -79,18 +82,18 @@ impl TorusInequality {
             if let Some(common) = common.filter(|p| p.as_constant().is_none())
                 && let Some(rest) = polynomial.divide_exactly(&common)
             {
-                let plus = is_nowhere_negative(&common, dimension)?;
+                let plus = is_nowhere_negative(&common, dimension, interest)?;
                 if plus == Some(true) {
                     polynomial = rest;
                 } else {
-                    match is_nowhere_negative(&-common, dimension)? {
+                    match is_nowhere_negative(&-common, dimension, interest)? {
                         Some(true) => polynomial = -rest,
                         minus => whatever_the_step = plus == Some(false) && minus == Some(false),
                     }
                 }
             }
         }
-        let cells = piece::cells(&polynomial, dimension, parameter, stride)?;
+        let cells = piece::cells(&polynomial, dimension, parameter, stride, interest)?;
         let binding = Binding {
             condition: requirement.condition,
             on_circle: requirement.on_circle,
@@ -104,11 +107,16 @@ impl TorusInequality {
 }
 
 /// Whether a real function of the waves is nowhere negative; the inner `None` where that is not known.
-fn is_nowhere_negative(polynomial: &Laurent, dimension: usize) -> Option<Option<bool>> {
-    let cells = piece::cells(polynomial, dimension, None, 1)?;
+fn is_nowhere_negative(
+    polynomial: &Laurent,
+    dimension: usize,
+    interest: &Interest,
+) -> Option<Option<bool>> {
+    let cells = piece::cells(polynomial, dimension, None, 1, interest)?;
     let mut all = Some(true);
     for cell in cells {
-        match sign_on_cube(&cell.at_parameter(&num_traits::Zero::zero()), FACTOR_BOXES).0 {
+        let whole = cell.at_parameter(&num_traits::Zero::zero());
+        match cuts_of_cube(&whole, FACTOR_BOXES, interest).0 {
             CubeSign::NowhereNegative => {}
             CubeSign::NegativeAt(_) => return Some(Some(false)),
             CubeSign::Undecided => all = None,

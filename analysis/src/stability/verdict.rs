@@ -100,7 +100,7 @@ impl Check {
 /// ```
 ///
 /// # Errors
-/// When the parameter does not occur, another has no value, or the step cannot be solved for any wave at the value.
+/// When the parameter does not occur, another has no value, the step cannot be solved for any wave at the value, or the plan's interest is lost.
 pub fn check(
     step: &Step,
     parameter: &str,
@@ -111,7 +111,7 @@ pub fn check(
     step.refuse_singular(parameter, value)?;
     let range = plan.max.clone().max(value * integer(4));
     let plan = plan.clone().up_to(range).growing(Rational::zero());
-    let asked = step.inequalities(parameter, &Rational::zero())?;
+    let asked = step.inequalities_while(parameter, &plan)?;
     let stable_set = step.stable_set_under(parameter, &asked, &plan)?;
     let monotone_set = step.monotone_set(parameter, &plan)?;
     let at_value = at_value.expanded().unwrap_or(at_value);
@@ -121,14 +121,15 @@ pub fn check(
     let strict = of_parameter.as_ref().is_some_and(DemandsAt::are_strict);
     let demands = match of_parameter {
         Some(demands) => demands,
-        None => DemandsAt::new(&at_value.inequalities_in(None, &Rational::zero())?),
+        None => DemandsAt::new(&at_value.inequalities_in(None, &plan.growth, &plan.interest)?),
     };
     let decided = if plan.budget < LEAST_BUDGET && !stable_set.undecided.is_empty() {
         // No boxes would be needed, but whoever allows so few wants little work, and no more said of a value than of the set.
         PointVerdict::Undecided
     } else {
-        demands.decide()
+        demands.decide_while(&plan.interest)
     };
+    plan.goes_on()?;
     let growth = growth_under(&at_value, &demands, &decided)?;
     let multiplicity = match decided {
         PointVerdict::Stable => multiplicity_among(&at_value, stable_set.limit().critical_wave())?,
@@ -140,7 +141,7 @@ pub fn check(
         PointVerdict::Unstable(_) => Verdict::Unstable,
         PointVerdict::Stable => {
             let near = || match &asked {
-                Demands::OnTorus(demands) => demands.are_met_about(value, plan.budget),
+                Demands::OnTorus(demands) => demands.are_met_about(value, &plan),
                 _ => strict,
             };
             match multiplicity.growing.is_none() && is_inside(&stable_set, value, near) {
@@ -149,6 +150,7 @@ pub fn check(
             }
         }
     };
+    plan.goes_on()?;
     let grows = matches!(verdict, Verdict::WeaklyUnstable | Verdict::Unstable);
     Ok(Check {
         verdict,

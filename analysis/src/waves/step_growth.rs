@@ -8,6 +8,7 @@ use super::wave_terms::{difference_terms, primitive_characteristic};
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::{Rational, integer, to_f64};
+use crate::interest::Interest;
 use crate::scheme::{SchemeError, Step};
 use crate::stability::at_value::{DemandAt, DemandsAt, zeros_of};
 use crate::stability::{PointVerdict, Wave, phase_of, symmetric};
@@ -107,7 +108,8 @@ pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
         return Err(SchemeError::NotSet(open));
     }
     let step = step.expanded().unwrap_or_else(|| step.clone());
-    let demands = DemandsAt::new(&step.inequalities_in(None, &Rational::zero())?);
+    let demands =
+        DemandsAt::new(&step.inequalities_in(None, &Rational::zero(), &Interest::default())?);
     growth_under(&step, &demands, &demands.decide())
 }
 

@@ -28,7 +28,16 @@ pub enum SweepError {
     Ratio(#[from] RatioOutOfRange),
     /// The scheme does not serve.
     #[error(transparent)]
-    Scheme(#[from] SchemeError),
+    Scheme(SchemeError),
+}
+
+impl From<SchemeError> for SweepError {
+    fn from(error: SchemeError) -> Self {
+        match error {
+            SchemeError::Cancelled => Self::Cancelled,
+            other => Self::Scheme(other),
+        }
+    }
 }
 
 /// The results of `work` on all items, in parallel and in their order; the callback hears of each.

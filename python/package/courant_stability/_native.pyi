@@ -1,9 +1,30 @@
 """The native half. Nothing here is public: it may change with every version."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, final
 
 import numpy as np
+
+__all__ = [
+    "CAUSES",
+    "EVIDENCE",
+    "Probe",
+    "Subject",
+    "certify",
+    "check",
+    "gain",
+    "gains",
+    "limits",
+    "monotone_set",
+    "multipliers",
+    "names",
+    "speeds",
+    "stable",
+    "stable_set",
+    "symbol",
+    "validate",
+    "verify",
+]
 
 EVIDENCE: list[str]
 CAUSES: list[str]
@@ -11,6 +32,7 @@ CAUSES: list[str]
 _Report = Callable[[int, int], object] | None
 _Column = np.ndarray | Sequence[str]
 
+@final
 class Subject:
     def __new__(
         cls,
@@ -34,6 +56,7 @@ class Subject:
     parameter: str
     symbol: str
 
+@final
 class Probe:
     def __new__(
         cls,

@@ -82,7 +82,7 @@ def limits_block(
         return np.empty(shape, dtype=limit_dtype(scheme.dimension))
     columns = [column(array) for array in together]
     answer = _native.limits(
-        scheme._native, list(names), columns, max, growth, budget, records is not None, report
+        scheme._subject, list(names), columns, max, growth, budget, records is not None, report
     )
     if records is not None:
         records.extend(json.loads(answer["records"]))
@@ -97,7 +97,7 @@ def gains_block(
     shape = (len(xs), len(ys))
     packed = np.empty(shape, dtype=GAIN_DTYPE)
     if packed.size:
-        answer = _native.gains(scheme._native, x_name, xs, y_name, ys, None)
+        answer = _native.gains(scheme._subject, x_name, xs, y_name, ys, None)
         packed["largest"], packed["lowest"] = answer["largest"], answer["lowest"]
     return packed
 
@@ -109,5 +109,5 @@ def stable_block(
     xs, ys = column(x), column(y)
     if not (len(xs) and len(ys)):
         return np.empty((len(xs), len(ys)), dtype=bool)
-    answer = _native.stable(scheme._native, x_name, xs, y_name, ys, max, None)
+    answer = _native.stable(scheme._subject, x_name, xs, y_name, ys, max, None)
     return np.asarray(answer["stable"])

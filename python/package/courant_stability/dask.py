@@ -104,8 +104,8 @@ def stability_map(
     if decide:
         most = highest(ys)
         stable = over(stable_block, bool, max=most)
-        sought = scheme(parameter=y_name)
-        limits = limits_table(sought, max=most, **{x_name: rows})
+        sought, axes = scheme(parameter=y_name), dict[str, Any]({x_name: rows})
+        limits = limits_table(sought, max=most, **axes)
     return StabilityMap(
         scheme, x_name, floats(xs), y_name, floats(ys), gains["largest"], gains["lowest"], stable, limits
     )

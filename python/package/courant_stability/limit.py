@@ -91,7 +91,8 @@ class Limit:
 
     @property
     def cause(self) -> str | None:
-        return self.record["cause"]
+        cause: str | None = self.record["cause"]
+        return cause
 
     @property
     def critical_phase(self) -> float | tuple[float, ...] | None:
@@ -144,16 +145,16 @@ class Limit:
         return hash((self.symbol, float(self)))
 
     def __lt__(self, other: Any) -> bool:
-        return self._number < _number_of(other)
+        return bool(self._number < _number_of(other))
 
     def __gt__(self, other: Any) -> bool:
-        return self._number > _number_of(other)
+        return bool(self._number > _number_of(other))
 
     def __le__(self, other: Any) -> bool:
-        return self._number <= _number_of(other)
+        return bool(self._number <= _number_of(other))
 
     def __ge__(self, other: Any) -> bool:
-        return self._number >= _number_of(other)
+        return bool(self._number >= _number_of(other))
 
     @property
     def _number(self) -> Any:

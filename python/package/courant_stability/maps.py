@@ -56,9 +56,9 @@ class StabilityMap:
 
     def compute(self, **options: Any) -> StabilityMap:
         """The same with numbers in place of Dask's arrays."""
-        import dask
+        from dask.base import compute
 
-        parts = dask.compute(self.largest, self.lowest, self.stable, self.limits, **options)
+        parts = compute(self.largest, self.lowest, self.stable, self.limits, **options)
         return StabilityMap(self.scheme, self.x_name, self.x, self.y_name, self.y, *parts)
 
     def plot(self, ax: Any = None) -> Any:
@@ -127,7 +127,7 @@ def stability_map(
     True
     """
     (x_name, xs), (y_name, ys) = x, y
-    subject, numbers = scheme._native, floats(ys)
+    subject, numbers = scheme._subject, floats(ys)
     with reporting(progress, "gains") as report:
         gains = _native.gains(subject, x_name, column(xs), y_name, numbers, report)
     found = StabilityMap(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import warnings
 from collections.abc import Callable, Iterator
 from typing import Optional, Union
 
@@ -23,11 +24,15 @@ def reporting(progress: Progress, name: str) -> Iterator[Optional[Callable[[int,
         yield None
         return
     try:
-        from tqdm.auto import tqdm
+        with warnings.catch_warnings():
+            # A notebook without widgets gets the bar of a terminal: no news to whoever reads it.
+            warnings.simplefilter("ignore")
+            from tqdm.auto import tqdm
     except ImportError:
         yield None
         return
-    with tqdm(desc=name, leave=False) as bar:
+    # What is done at once needs no bar.
+    with tqdm(desc=name, leave=False, delay=0.5) as bar:
 
         def report(done: int, of: int) -> None:
             bar.total = of

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,14 +23,24 @@ from .verdict import Verdict
 if TYPE_CHECKING:
     from .probing import Probe
 
-#: Schemes as they are pickled, read once a process.
-_State = tuple[str, str, "str | None", "str | None", "str | None", "str | None", "str | None", tuple[tuple[str, str], ...], "str | None"]
+class _State(NamedTuple):
+    """A scheme as it is pickled."""
+
+    kind: str
+    source: str
+    integrator: str | None = None
+    kernel: str | None = None
+    ratio: str | None = None
+    density: str | None = None
+    eos: str | None = None
+    values: tuple[tuple[str, str], ...] = ()
+    parameter: str | None = None
 
 
 @functools.lru_cache(maxsize=256)
-def _subject(state: _State) -> _native.Subject:
-    *parts, values, parameter = state
-    return _native.Subject(*parts, list(values), parameter)
+def _read(state: _State) -> _native.Subject:
+    """Once a process."""
+    return _native.Subject(*state)
 
 
 class Scheme:
@@ -76,41 +86,18 @@ class Scheme:
     ) -> None:
         source = _text_of(text)
         kind = "equation" if source is text else "scheme"
-        self._set(kind, source, integrator, kernel, ratio, None, None, values, parameter)
-
-    def _set(
-        self,
-        kind: str,
-        source: str,
-        integrator: str | os.PathLike[str] | None,
-        kernel: str | None,
-        ratio: ExactLike | None,
-        density: str | None,
-        eos: str | None,
-        values: dict[str, ExactLike],
-        parameter: str | None,
-    ) -> None:
-        self._state: _State = (
-            kind,
-            source,
-            None if integrator is None else _text_of(integrator),
-            kernel,
-            None if ratio is None else exact_text(ratio),
-            density,
-            eos,
-            tuple((name, exact_text(value)) for name, value in values.items()),
-            parameter,
+        self._state = _state(
+            kind, source, integrator=integrator, kernel=kernel, ratio=ratio, parameter=parameter, values=values
         )
-        _subject(self._state)
 
     @classmethod
-    def _of(cls, *parts: Any) -> Scheme:
+    def _of(cls, state: _State) -> Scheme:
         scheme = cls.__new__(cls)
-        scheme._set(*parts)
+        scheme._state = state
         return scheme
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self._state,)
+        return Scheme._of, (self._state,)
 
     def __eq__(self, other: object) -> bool:
         return self._state == other._state if isinstance(other, Scheme) else NotImplemented
@@ -119,8 +106,8 @@ class Scheme:
         return hash(self._state)
 
     @property
-    def _native(self) -> _native.Subject:
-        return _subject(self._state)
+    def _subject(self) -> _native.Subject:
+        return _read(self._state)
 
     def __call__(self, *, parameter: str | None = None, **values: ExactLike) -> Scheme:
         """The same scheme with values for parameters: ``ratio`` is the kernel's.
@@ -131,50 +118,56 @@ class Scheme:
         >>> courant.scheme("heat-theta")(theta="1/4").limit().exact
         Fraction(1, 1)
         """
-        *parts, known, sought = self._state
-        merged: dict[str, Any] = dict(known)
-        if "ratio" in values and parts[4] is not None:
-            parts[4] = exact_text(values.pop("ratio"))
-        merged.update(values)
-        return Scheme._of(*parts, merged, parameter or sought)
+        return self._with(values, parameter)
+
+    def _with(self, values: dict[str, ExactLike], parameter: str | None = None) -> Scheme:
+        if not values and parameter is None:
+            return self
+        state, texts = self._state, _texts(values)
+        if state.ratio is not None:
+            state = state._replace(ratio=texts.pop("ratio", state.ratio))
+        known = {**dict(state.values), **texts}
+        state = state._replace(values=tuple(known.items()), parameter=parameter or state.parameter)
+        _read(state)
+        return Scheme._of(state)
 
     # What it is.
 
     @property
     def name(self) -> str:
         """Its name in the catalogue, or its equations."""
-        return self._native.name
+        return self._subject.name
 
     @property
     def title(self) -> str:
         """Its title, with what completes it."""
-        return self._native.title
+        return self._subject.title
 
     @property
     def equations(self) -> str:
         """Its text."""
-        return self._native.equations
+        return self._subject.equations
 
     @property
     def dimension(self) -> int:
         """The number of space dimensions."""
-        return self._native.dimension
+        return self._subject.dimension
 
     @property
     def unknowns(self) -> list[str]:
         """The names of the unknowns."""
-        return self._native.unknowns
+        return self._subject.unknowns
 
     @property
     def parameter(self) -> str:
         """The parameter in question."""
-        return self._native.parameter
+        return self._subject.parameter
 
     @property
     def parameters(self) -> dict[str, Fraction | None]:
         """All parameters with their values or defaults, nothing for those that are open."""
         return {
-            name: None if value is None else Fraction(value) for name, value in self._native.parameters
+            name: None if value is None else Fraction(value) for name, value in self._subject.parameters
         }
 
     def __repr__(self) -> str:
@@ -229,7 +222,7 @@ class Scheme:
         budget: int | None = None,
     ) -> StableSet:
         """All values of the parameter for which no wave grows; arguments as of `limit`."""
-        text = _native.stable_set(self._native, _optional(max), exact_text(growth), budget)
+        text = _native.stable_set(self._subject, _optional(max), exact_text(growth), budget)
         return StableSet._of_json(text)
 
     def monotone_set(self, *, max: ExactLike | None = None, budget: int | None = None) -> StableSet:
@@ -241,7 +234,7 @@ class Scheme:
         >>> courant.scheme("upwind").monotone_set()
         StableSet([0, 1], proved)
         """
-        return StableSet._of_json(_native.monotone_set(self._native, _optional(max), budget))
+        return StableSet._of_json(_native.monotone_set(self._subject, _optional(max), budget))
 
     def check(
         self,
@@ -271,9 +264,9 @@ class Scheme:
         >>> [courant.scheme("leapfrog").check(C=C).verdict for C in ("0.9", "1", "1.1")]
         ['stable', 'marginal', 'unstable']
         """
-        scheme = self(**values) if values else self
+        scheme = self._with(values)
         return Verdict._of_json(
-            _native.check(scheme._native, _optional(max), _optional(growth), budget)
+            _native.check(scheme._subject, _optional(max), _optional(growth), budget)
         )
 
     def certificate(
@@ -285,7 +278,7 @@ class Scheme:
     ) -> Certificate:
         """The proofs of its limits: of stability, within each budget for growth, and of monotonicity."""
         budgets = [exact_text(one) for one in growth]
-        return Certificate(_native.certify(self._native, _optional(max), budgets, budget))
+        return Certificate(_native.certify(self._subject, _optional(max), budgets, budget))
 
     # Waves.
 
@@ -293,7 +286,9 @@ class Scheme:
         self, phases: Sequence[ArrayLike], values: dict[str, Any]
     ) -> tuple[_native.Subject, list[str], list[np.ndarray]]:
         """Parameters whose values are single are set exactly; the others become arrays."""
-        exact, names, arrays = {}, [], []
+        exact: dict[str, ExactLike] = {}
+        names: list[str] = []
+        arrays: list[np.ndarray] = []
         for name, value in values.items():
             if isinstance(value, (str, int, float, Fraction)) or np.ndim(value) == 0 and not isinstance(value, np.ndarray):
                 exact[name] = value
@@ -301,8 +296,8 @@ class Scheme:
                 names.append(name)
                 arrays.append(np.asarray(value, dtype=float))
         arrays.extend(np.asarray(phase, dtype=float) for phase in phases)
-        scheme = self(**exact) if exact else self
-        return scheme._native, names, arrays
+        scheme = self._with(exact)
+        return scheme._subject, names, arrays
 
     def multipliers(self, *phases: ArrayLike, **values: Any) -> np.ndarray:
         """The multipliers of waves: what one step does to ``exp(i φ j)``.
@@ -370,7 +365,7 @@ class Scheme:
 
     def modified_equation(self, terms: int | None = None) -> ModifiedEquation:
         """The equation that the scheme solves, with `terms` terms or as many as show the first errors in amplitude and speed."""
-        return ModifiedEquation._of_json(_native.symbol(self._native, terms))
+        return ModifiedEquation._of_json(_native.symbol(self._subject, terms))
 
     # Runs.
 
@@ -397,11 +392,11 @@ class Scheme:
         list of Validation
             One for each value.
         """
-        scheme = self(**values) if values else self
+        scheme = self._with(values)
         size = None if cells is None else np.atleast_1d(cells).tolist()
         if size is not None and len(size) == 1:
             size = size * self.dimension
-        return Validation._all_of_json(_native.validate(scheme._native, [], size, steps))
+        return Validation._all_of_json(_native.validate(scheme._subject, [], size, steps))
 
     @staticmethod
     def probe(step: Callable[..., Any], **options: Any) -> Probe:
@@ -431,10 +426,30 @@ class Scheme:
         return waves(self, phases, values, axes)
 
 
-def _restored(state: _State) -> Scheme:
-    scheme = Scheme.__new__(Scheme)
-    scheme._state = state
-    return scheme
+def _texts(values: dict[str, ExactLike]) -> dict[str, str]:
+    return {name: exact_text(value) for name, value in values.items()}
+
+
+def _state(
+    kind: str,
+    source: str,
+    *,
+    integrator: str | os.PathLike[str] | None = None,
+    ratio: ExactLike | None = None,
+    values: dict[str, ExactLike],
+    **words: str | None,
+) -> _State:
+    """Read by the native half, which complains of what does not go together."""
+    state = _State(
+        kind,
+        source,
+        integrator=None if integrator is None else _text_of(integrator),
+        ratio=_optional(ratio),
+        values=tuple(_texts(values).items()),
+        **words,
+    )
+    _read(state)
+    return state
 
 
 def _optional(value: ExactLike | None) -> str | None:
@@ -471,7 +486,7 @@ def scheme(
     >>> courant.scheme("yee-3d").limit().exact
     AlgebraicNumber(0.5773502691896257 = sqrt(1/3): 3 x^2 - 1 = 0)
     """
-    return Scheme._of("scheme", name, None, kernel, ratio, None, None, values, parameter)
+    return Scheme._of(_state("scheme", name, kernel=kernel, ratio=ratio, parameter=parameter, values=values))
 
 
 def lines(
@@ -498,7 +513,17 @@ def lines(
     >>> courant.lines("central-2", "rk4").limit().exact
     AlgebraicNumber(2.8284271247461903 = sqrt(8): x^2 - 8 = 0)
     """
-    return Scheme._of("space", _text_of(space), integrator, kernel, ratio, None, None, values, parameter)
+    return Scheme._of(
+        _state(
+            "space",
+            _text_of(space),
+            integrator=integrator,
+            kernel=kernel,
+            ratio=ratio,
+            parameter=parameter,
+            values=values,
+        )
+    )
 
 
 def particle_method(
@@ -528,4 +553,6 @@ def particle_method(
     >>> print(courant.particle_method("sph", "kdk", ratio="6/5").limit())
     1.0632206863
     """
-    return Scheme._of("method", name, integrator, kernel, ratio, density, eos, values, None)
+    return Scheme._of(
+        _state("method", name, integrator=integrator, kernel=kernel, ratio=ratio, density=density, eos=eos, values=values)
+    )

@@ -47,12 +47,12 @@ class LimitsTable:
     @property
     def evidence(self) -> np.ndarray:
         """What stands behind each, in words."""
-        return np.array(EVIDENCE)[self.data["evidence"]]
+        return np.asarray(np.array(EVIDENCE)[self.data["evidence"]])
 
     @property
     def cause(self) -> np.ndarray:
         """Which wave binds, in words; empty where none does."""
-        return np.array([*CAUSES, ""])[self.data["cause"]]
+        return np.asarray(np.array([*CAUSES, ""])[self.data["cause"]])
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -75,7 +75,7 @@ class LimitsTable:
         def name(of: Any) -> str:
             return f"<th>{of.title}</th>" if isinstance(of, Scheme) else ""
 
-        heads = self.schemes[:, 0] if self.schemes.ndim == 2 and self.schemes.shape == rows.shape else []
+        heads: Any = self.schemes[:, 0] if self.schemes.ndim == 2 and self.schemes.shape == rows.shape else []
         lines = []
         for index, row in enumerate(rows):
             head = name(heads[index]) if len(heads) else ""
@@ -150,7 +150,7 @@ def limits_table(
                 )
             )
     data = np.stack(blocks).reshape(array.shape + shape)
-    limits = None
+    limits: np.ndarray | None = None
     if records is not None:
         limits = np.empty(len(records), dtype=object)
         limits[:] = [Limit._of(record) for record in records]

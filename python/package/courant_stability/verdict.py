@@ -57,22 +57,26 @@ class Verdict:
     @property
     def monotone(self) -> bool | None:
         """Whether no coefficient is negative; nothing where that is not asked, or not decided."""
-        return self.record["monotone"]
+        known: bool | None = self.record["monotone"]
+        return known
 
     @property
     def max_gain(self) -> float | None:
         """The largest modulus of a multiplier."""
-        return self.record["max_gain"]
+        known: float | None = self.record["max_gain"]
+        return known
 
     @property
     def growth_per_step(self) -> float | None:
         """``max |z| − 1``."""
-        return self.record["growth_per_step"]
+        known: float | None = self.record["growth_per_step"]
+        return known
 
     @property
     def steps_to_double(self) -> float | None:
         """Steps until the fastest wave has doubled; nothing where none is known to grow."""
-        return self.record["steps_to_double"]
+        known: float | None = self.record["steps_to_double"]
+        return known
 
     @property
     def critical_phase(self) -> float | tuple[float, ...] | None:

@@ -8,8 +8,7 @@ use clap::Args;
 use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::{Density, Kernel};
 use courant::analysis::scheme::Integrator;
-use courant::analysis::scheme::catalogue::{self, Known, SchemeFile};
-use courant::analysis::scheme::language::parse;
+use courant::analysis::scheme::catalogue::{self, SchemeFile};
 use courant::analysis::spelling::spells;
 use std::str::FromStr;
 use std::sync::Arc;
@@ -390,17 +389,7 @@ fn scheme_file(kind: Kind, name: &str, all: &[SchemeFile]) -> Result<Arc<SchemeF
 
 /// Equations from the command line.
 fn typed(kind: Kind, text: &str) -> Result<Arc<SchemeFile>, Failure> {
-    let equations = parse(text).map_err(|error| refuse(format!("{}: {error}", option(kind))))?;
-    let name = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    Ok(Arc::new(SchemeFile {
-        title: name.clone(),
-        name,
-        equations: equations.into(),
-        parameter: None,
-        exact: None,
-        source: String::new(),
-        notes: String::new(),
-        parameters: Default::default(),
-        known: Known::default(),
-    }))
+    let file =
+        SchemeFile::typed(text).map_err(|error| refuse(format!("{}: {error}", option(kind))));
+    file.map(Arc::new)
 }

@@ -6,6 +6,7 @@ use crate::cli::progress::Bar;
 use crate::cli::subject::{Label, Subject, option, row_name, varying};
 use crate::cli::{Failure, Outcome};
 use courant::analysis::exact::rational::to_f64;
+use courant::analysis::interest::Interest;
 use courant::reports::equation_validation::RunningSubject;
 use courant::reports::number::{finite, significant};
 use courant::reports::record::SubjectRecord;
@@ -108,7 +109,7 @@ fn cases(arguments: &Arguments, subject: &Subject) -> Result<Vec<Case>, Failure>
     let given = arguments.cfl.iter().flat_map(|values| &values.0).chain(&sought.value);
     let mut values: Vec<f64> = given.map(to_f64).collect();
     if values.is_empty() {
-        values = running.about_the_limit()?;
+        values = running.about_the_limit(Interest::default())?;
     }
     values
         .into_iter()

@@ -11,6 +11,7 @@ use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::Rational;
+use crate::interest::Interest;
 use crate::scheme::Names;
 use crate::stability::margin::Margin;
 use crate::stability::{Condition as Kind, Inequality, Requirement};
@@ -54,6 +55,11 @@ impl Condition {
         };
         let form = MarginForm::new(&margin);
         Ok(Self { stated, margin, form })
+    }
+
+    /// Covered only as long as somebody wants the proof.
+    pub(super) fn while_wanted(self, interest: &Interest) -> Self {
+        Self { form: self.form.while_wanted(interest), ..self }
     }
 }
 

@@ -13,6 +13,7 @@ use crate::exact::laurent::{Exponents, Laurent, Variable};
 use crate::exact::rational::{Rational, integer, square_root_enclosure, to_f64};
 use crate::exact::real_roots::power_of_two;
 use crate::exact::tensor::{CubeSign, Cut, Origin, Tensor, cuts_of_cube};
+use crate::interest::Interest;
 use crate::stability::{
     Cell, Condition as Kind, Edge, ExactSpot, ExactValue, Limit, Requirement, SearchPlan,
     StableInterval, StableSet, StableStretch, StretchEnd, TorusDemands, Turn, stretches_on_torus,
@@ -48,7 +49,8 @@ pub(super) fn certificates(
         square: Laurent::integer(1),
     };
     let requirements: Vec<Requirement> = conditions.iter().map(requirement).collect();
-    let demands = TorusDemands::new(&requirements, chi.dimension, Some(Variable(PARAMETER)));
+    let demands =
+        TorusDemands::new(&requirements, chi.dimension, Some(Variable(PARAMETER)), &plan.interest);
     let demands = demands.ok_or(CertificationError::NotWritten("a condition is not real"))?;
     let found = stretches_on_torus(&demands, plan);
     let as_found = |(own, known): (&StableStretch, &StableInterval)| {
@@ -64,7 +66,7 @@ pub(super) fn certificates(
     if !found.decided || !same {
         return Err(CertificationError::NotWritten("the checker's conditions do not bear it out"));
     }
-    let prover = Prover { base, conditions: &conditions, demands: &demands, max: &plan.max };
+    let prover = Prover { base, conditions: &conditions, demands: &demands, plan };
     let mut all = Vec::new();
     if found.all.first().is_none_or(|first| first.from.upper.is_positive()) {
         let spot = found.unstable_at_once.ok_or(CertificationError::NoWitness)?;
@@ -139,7 +141,7 @@ struct Prover<'a> {
     base: &'a Certificate,
     conditions: &'a [Condition],
     demands: &'a TorusDemands,
-    max: &'a Rational,
+    plan: &'a SearchPlan,
 }
 
 impl Prover<'_> {
@@ -150,7 +152,7 @@ impl Prover<'_> {
         to: &StretchEnd,
     ) -> Result<Option<Certificate>, CertificationError> {
         let begin = &from.upper;
-        let last = self.power(self.max);
+        let last = self.power(&self.plan.max);
         let (reached, lower, upper, above) = match to {
             StretchEnd::Edge(edge, wave) => {
                 let spots: Vec<ExactSpot> = wave.iter().chain(&edge.spot).cloned().collect();
@@ -158,7 +160,7 @@ impl Prover<'_> {
                 let ends = (self.end(&edge.lower), Some(self.end(&edge.upper)));
                 (edge.lower.clone(), ends.0, ends.1, Some(above))
             }
-            StretchEnd::Range => (last, End::Fraction(self.max.clone()), None, None),
+            StretchEnd::Range => (last, End::Fraction(self.plan.max.clone()), None, None),
             StretchEnd::Unbounded => (last.max(begin * integer(2)), End::Infinity, None, None),
         };
         if reached <= *begin {
@@ -218,7 +220,7 @@ impl Prover<'_> {
             let mut pieces = Vec::new();
             let mut pending = vec![(begin.clone(), reached.clone())];
             while let Some((from, to)) = pending.pop() {
-                match cuts(&cell.between(&from, &to), &mut boxes) {
+                match cuts(&cell.between(&from, &to), &mut boxes, &self.plan.interest) {
                     Some(cuts) => pieces.push(TorusPiece { end: End::Fraction(to), cuts }),
                     None if pieces.len() + pending.len() >= MAX_PIECES || boxes > MAX_BOXES => {
                         return Err(CertificationError::TooLarge);
@@ -232,7 +234,8 @@ impl Prover<'_> {
             }
             if without_end {
                 let rows = cell.reversed().between(&Rational::zero(), &reached.recip());
-                let cuts = cuts(&rows, &mut boxes).ok_or(CertificationError::TooLarge)?;
+                let cuts = cuts(&rows, &mut boxes, &self.plan.interest);
+                let cuts = cuts.ok_or(CertificationError::TooLarge)?;
                 pieces.push(TorusPiece { end: End::Infinity, cuts });
             }
             Ok(TorusCell { cube: cube(&cell), begin: begin.clone().into(), pieces })
@@ -246,7 +249,7 @@ impl Prover<'_> {
             2 => square_root_enclosure(t, t, ROOT_BITS).1,
             _ => t.clone(),
         };
-        let values: Vec<Rational> = above(&near, self.max).collect();
+        let values: Vec<Rational> = above(&near, &self.plan.max).collect();
         let grows = |margin: &Margin, wave: &TorusWave| {
             margin.grows_between(wave, t, &self.power(&wave.value.0)).is_ok()
         };
@@ -325,10 +328,10 @@ fn way(origin: &Origin) -> String {
 }
 
 /// The cuts of all coefficients in `t`; `None` where one is not decided.
-fn cuts(rows: &[Tensor], boxes: &mut usize) -> Option<Vec<String>> {
+fn cuts(rows: &[Tensor], boxes: &mut usize, interest: &Interest) -> Option<Vec<String>> {
     let mut all = Vec::new();
     for row in rows {
-        let (sign, cuts) = cuts_of_cube(row, BOXES_OF_A_PIECE);
+        let (sign, cuts) = cuts_of_cube(row, BOXES_OF_A_PIECE, interest);
         *boxes += cuts.len();
         if sign != CubeSign::NowhereNegative {
             return None;

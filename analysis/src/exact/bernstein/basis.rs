@@ -105,3 +105,68 @@ pub(crate) fn polar_weights(degree: usize, from: &Rational, to: &Rational) -> Ve
         })
         .collect()
 }
+
+/// The Bernstein coefficients of `Σ_j c_j t^j` on `[from, to]`, each times a positive number of its own: what signs need.
+///
+/// With `t = (a + b x)/(d (1 + x))` the interval becomes the positive half line, and `d^n (1 + x)^n p(t)` a polynomial in `x` whose coefficients
+/// are the Bernstein coefficients times `d^n C(n, k)`: Horner's scheme in its homogeneous form, of `n²` steps.
+pub(super) fn stretched(coefficients: &[BigInt], from: &Rational, to: &Rational) -> Vec<BigInt> {
+    let common = common_denominator([from, to]);
+    let (from, to) = (numerator_over(from, &common), numerator_over(to, &common));
+    let mut sums: Vec<BigInt> = Vec::with_capacity(coefficients.len());
+    // `d^m` and `(1 + x)^m`.
+    let (mut power, mut row) = (BigInt::one(), vec![BigInt::one()]);
+    for coefficient in coefficients.iter().rev() {
+        if !sums.is_empty() {
+            // Times `a + b x`.
+            sums.push(BigInt::zero());
+            for index in (0..sums.len()).rev() {
+                sums[index] *= &from;
+                if let Some(before) = index.checked_sub(1) {
+                    let (head, tail) = sums.split_at_mut(index);
+                    tail[0] += &head[before] * &to;
+                }
+            }
+            power *= &common;
+            row.push(BigInt::zero());
+            for index in (1..row.len()).rev() {
+                let (head, tail) = row.split_at_mut(index);
+                tail[0] += &head[index - 1];
+            }
+        } else {
+            sums.push(BigInt::zero());
+        }
+        let scaled = coefficient * &power;
+        sums.iter_mut().zip(&row).for_each(|(sum, choices)| *sum += &scaled * choices);
+    }
+    sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::rational::ratio;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// By polar forms, which is the other road.
+        #[test]
+        fn stretched_coefficients_are_those_of_the_polar_form(
+            coefficients in prop::collection::vec(-50i64..50, 1..9),
+            from in -9i64..9, length in 1i64..9, denominator in 1i64..7,
+        ) {
+            let coefficients: Vec<BigInt> = coefficients.into_iter().map(BigInt::from).collect();
+            let (from, to) = (ratio(from, denominator), ratio(from + length, denominator + 1));
+            let degree = coefficients.len() - 1;
+            let choices = binomials(degree);
+            let factor = choices.iter().fold(BigInt::one(), |all, value| all.lcm(value));
+            let polar = polar_weights(degree, &from, &to);
+            for ((weights, value), choices) in
+                polar.iter().zip(stretched(&coefficients, &from, &to)).zip(&choices)
+            {
+                let polar: BigInt = weights.iter().zip(&coefficients).map(|(w, c)| w * c).sum();
+                prop_assert_eq!(value * &factor, polar * choices);
+            }
+        }
+    }
+}

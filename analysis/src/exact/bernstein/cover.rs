@@ -46,7 +46,8 @@ pub fn exact_cover(
             });
             continue;
         }
-        if cover.len() + pending.len() + 2 > max_boxes || is_negative_at_a_corner(&current) {
+        let enough = cover.len() + pending.len() + 2 <= max_boxes && form.is_wanted();
+        if !enough || is_negative_at_a_corner(&current) {
             return None;
         }
         // Both halves `2^degree` times too large, which changes no sign.

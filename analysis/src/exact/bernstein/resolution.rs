@@ -9,6 +9,7 @@ use crate::exact::enclosed_series::EnclosedSeries;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, ratio};
 use crate::exact::real_roots::power_of_two;
+use crate::interest::Interest;
 use crate::stability::margin::Margin;
 use num_bigint::BigInt;
 use num_traits::Zero;
@@ -66,6 +67,7 @@ fn a_touching_zero_takes_three_boxes_and_two_make_a_cover() {
         radius: vec![BigInt::zero()],
         binomials: binomials(2),
         fixed_point_bits: FIXED_POINT_BITS,
+        interest: Interest::default(),
     };
     let touching = form([1, -2, 1]);
     let sign = |boxes| touching.sign(&integer(0), &integer(1), boxes);

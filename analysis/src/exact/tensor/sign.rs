@@ -3,6 +3,7 @@
 use super::chart::{Origin, separating_axis, vanishing_axes};
 use super::{Bernstein, Tensor};
 use crate::exact::rational::{Rational, integer, ratio};
+use crate::interest::Interest;
 use num_traits::{Signed, Zero};
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -40,13 +41,17 @@ const NEAREST: i32 = 400;
 /// Cubes are halved; where a coefficient is negative and the value at a corner is zero, halving alone would never end: the face on
 /// which the polynomial vanishes is blown up, `x_b = x_a m_b`, and the power of `x_a` that comes out is divided out.
 pub fn sign_on_cube(polynomial: &Tensor, budget: usize) -> (CubeSign, usize) {
-    let (sign, cuts) = cuts_of_cube(polynomial, budget);
+    let (sign, cuts) = cuts_of_cube(polynomial, budget, &Interest::default());
     (sign, cuts.len())
 }
 
 /// [`sign_on_cube`] with what was done about each cube, in the order in which the cubes came up: those that take the place of one wait
-/// behind all that are waiting.
-pub(crate) fn cuts_of_cube(polynomial: &Tensor, budget: usize) -> (CubeSign, Vec<Cut>) {
+/// behind all that are waiting. Undecided as soon as nobody wants to know.
+pub(crate) fn cuts_of_cube(
+    polynomial: &Tensor,
+    budget: usize,
+    interest: &Interest,
+) -> (CubeSign, Vec<Cut>) {
     let trimmed = polynomial.trimmed();
     let mut pending = VecDeque::from([(Bernstein::of(&trimmed), Rc::new(Origin::Whole))]);
     let (mut cuts, mut undecided) = (Vec::new(), false);
@@ -67,7 +72,7 @@ pub(crate) fn cuts_of_cube(polynomial: &Tensor, budget: usize) -> (CubeSign, Vec
             [] => Resolution::Halve(widest(&cube)),
             [corner, rest @ ..] => blow_up(&cube, &origin, *corner, rest),
         };
-        if cuts.len() + pending.len() + resolution.parts() > budget {
+        if cuts.len() + pending.len() + resolution.parts() > budget || interest.is_lost() {
             return (CubeSign::Undecided, cuts);
         }
         let cut = cuts.last_mut().expect("one was just pushed");

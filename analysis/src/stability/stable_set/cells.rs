@@ -25,8 +25,10 @@ impl Search<'_> {
     /// The polynomials whose roots are the critical values, if the data are exact and the cost is fair.
     pub(super) fn critical_polynomials(&self) -> Option<&CriticalPolynomials> {
         // A budget for boxes is one for work: cells cost more than many boxes.
-        let wanted =
-            self.margin.is_exact() && self.bits >= RECOGNISING_BITS && self.budget >= LEAST_BUDGET;
+        let wanted = self.margin.is_exact()
+            && self.bits >= RECOGNISING_BITS
+            && self.budget >= LEAST_BUDGET
+            && self.form.is_wanted();
         let patience = if self.bits > RECOGNISING_BITS { PATIENCE } else { 1 };
         let compute = || CriticalPolynomials::new(self.margin, patience * AFFORDABLE_PRODUCTS);
         self.critical.get_or_init(|| wanted.then(compute).flatten()).as_ref()

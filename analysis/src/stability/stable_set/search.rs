@@ -6,6 +6,7 @@ use super::{DEFAULT_BITS, MAX_BOXES, MAX_PATIENCE, StableInterval, StableSet};
 use crate::exact::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::exact::rational::{Rational, integer, product, to_f64};
 use crate::exact::real_roots::power_of_two;
+use crate::interest::Interest;
 use crate::stability::critical::{UnstableInterval, resolving_phases, sampled_unstable_set};
 use crate::stability::critical_polynomial::CriticalPolynomials;
 use crate::stability::margin::{CompiledMargin, Margin};
@@ -106,6 +107,11 @@ impl<'a> Search<'a> {
     /// Gives up unstable stretches after so many pieces that resist.
     pub(super) fn patient(self, patience: usize) -> Self {
         Self { patience, ..self }
+    }
+
+    /// Decides nothing more once nobody wants to know.
+    pub(super) fn while_wanted(self, interest: &Interest) -> Self {
+        Self { form: self.form.while_wanted(interest), ..self }
     }
 
     /// Starts from a Courant number up to which stability is known.
@@ -217,6 +223,7 @@ impl<'a> Search<'a> {
         // A touching point is halved down to as many bits as the ends have.
         if self.work.boxes
             >= MOST_BOXES_IN_ALL * (self.bits.max(DEFAULT_BITS) / DEFAULT_BITS) as usize
+            || !self.form.is_wanted()
         {
             return Err(None);
         }

@@ -125,7 +125,7 @@ impl Search<'_> {
         };
         let mut lower = from.clone();
         let floor = &self.end * power_of_half(FLOOR_BITS);
-        while &upper - &lower > &upper * power_of_half(self.bits) {
+        while self.form.is_wanted() && &upper - &lower > &upper * power_of_half(self.bits) {
             if lower.is_zero() {
                 if let Some(s) = witness.take_if(|s| self.is_unstable_just_above(&lower, s)) {
                     return Stretch::Empty(s);

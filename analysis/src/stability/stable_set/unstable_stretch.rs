@@ -55,6 +55,10 @@ impl Search<'_> {
             if lower >= upper {
                 continue;
             }
+            if !self.form.is_wanted() {
+                gaps.push((lower, upper));
+                break;
+            }
             let middle = (&lower + &upper) / integer(2);
             let sampled = self.most_unstable(to_f64(&middle));
             let candidates = witnesses.iter().chain(&sampled);

@@ -4,18 +4,22 @@ use super::search::Search;
 use super::{TorusDemands, TorusInequality};
 use crate::exact::rational::{Rational, integer};
 use crate::exact::real_roots::power_of_two;
-use crate::exact::tensor::{CubeSign, sign_on_cube};
-use crate::stability::{PointVerdict, Wave};
+use crate::exact::tensor::{CubeSign, cuts_of_cube};
+use crate::interest::Interest;
+use crate::stability::{PointVerdict, SearchPlan, Wave};
 use num_traits::{One, Zero};
 
 /// Boxes that one condition may take on one cell.
 const MOST_BOXES: usize = 20_000;
 
 /// Decides conditions without a parameter.
-pub(crate) fn decide_on_torus(inequalities: &[TorusInequality]) -> PointVerdict<Wave> {
+pub(crate) fn decide_on_torus(
+    inequalities: &[TorusInequality],
+    interest: &Interest,
+) -> PointVerdict<Wave> {
     let mut verdict = PointVerdict::Stable;
     for cell in inequalities.iter().flat_map(|one| &one.cells) {
-        match sign_on_cube(&cell.at_parameter(&Zero::zero()), MOST_BOXES).0 {
+        match cuts_of_cube(&cell.at_parameter(&Zero::zero()), MOST_BOXES, interest).0 {
             CubeSign::NowhereNegative => {}
             CubeSign::NegativeAt(point) => return PointVerdict::Unstable(cell.wave(&point)),
             CubeSign::Undecided => verdict = PointVerdict::Undecided,
@@ -29,13 +33,14 @@ const ABOUT: i64 = 30;
 
 impl TorusDemands {
     /// Whether all waves meet the conditions at a positive value and a little to both sides of it: proved.
-    pub(crate) fn are_met_about(&self, value: &Rational, budget: usize) -> bool {
+    pub(crate) fn are_met_about(&self, value: &Rational, plan: &SearchPlan) -> bool {
         let at = |side: i64| {
             let share = Rational::one() + power_of_two(-ABOUT) * integer(side);
             (value * share).pow(self.stride as i32)
         };
         let (below, above) = (at(-1), at(1));
-        let mut search = Search::without_guesses(&self.inequalities, above.clone(), budget);
+        let search = Search::without_guesses(&self.inequalities, above.clone(), plan.budget);
+        let mut search = search.while_wanted(&plan.interest);
         search.is_stable(&below, &above).is_ok()
     }
 

@@ -3,6 +3,7 @@
 use super::cell::Cell;
 use crate::exact::laurent::{Exponents, Laurent, VARIABLES, Variable};
 use crate::exact::tensor::{Origin, Tensor, separating_axis, vanishing_axes};
+use crate::interest::Interest;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
@@ -28,12 +29,13 @@ const MOST_CELLS: usize = 2000;
 const MOST_COEFFICIENTS: usize = 100_000;
 
 /// A real function of waves and one parameter on the cells that cover all waves up to its symmetries; `None` where another name occurs,
-/// where it is not real, or where it is too long.
+/// where it is not real, where it is too long, or where nobody wants them any longer.
 pub(crate) fn cells(
     polynomial: &Laurent,
     dimension: usize,
     parameter: Option<Variable>,
     stride: usize,
+    interest: &Interest,
 ) -> Option<Vec<Cell>> {
     let others = (4..VARIABLES).map(Variable).filter(|name| Some(*name) != parameter);
     if !polynomial.is_real() || others.into_iter().any(|name| polynomial.contains(name)) {
@@ -51,6 +53,9 @@ pub(crate) fn cells(
     }
     let mut cells = Vec::new();
     for whole in whole_cells(polynomial, dimension, parameter, stride) {
+        if interest.is_lost() {
+            return None;
+        }
         resolve(whole, &mut cells);
     }
     Some(cells)

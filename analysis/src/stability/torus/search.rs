@@ -7,7 +7,8 @@ use crate::exact::bernstein::{Work, is_negative_integer_polynomial};
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, from_f64, integer, simplest_between, to_f64};
 use crate::exact::real_roots::{RealRoot, power_of_two, real_roots};
-use crate::exact::tensor::{CubeSign, sign_on_cube};
+use crate::exact::tensor::{CubeSign, cuts_of_cube};
+use crate::interest::Interest;
 use crate::stability::stable_set::fraction_or_root;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
@@ -70,6 +71,7 @@ pub(super) struct Search<'a> {
     /// Boxes looked at, long ones counted more often; and how many may be.
     spent: usize,
     most: usize,
+    interest: Interest,
     pub(super) work: Work,
 }
 
@@ -83,7 +85,13 @@ impl<'a> Search<'a> {
         let guesses = Guesses::new(inequalities, to_f64(&end));
         let (spent, most) = (0, MOST_BOXES_IN_ALL.min(budget));
         let bits = bits.max(8);
-        Self { inequalities, guesses, end, bits, budget, spent, most, work: Work::default() }
+        let (interest, work) = (Interest::default(), Work::default());
+        Self { inequalities, guesses, end, bits, budget, spent, most, interest, work }
+    }
+
+    /// Without any more boxes once nobody wants the answer.
+    pub(super) fn while_wanted(self, interest: &Interest) -> Self {
+        Self { interest: interest.clone(), ..self }
     }
 
     /// For decisions alone, with no idea where stability may end.
@@ -117,6 +125,9 @@ impl<'a> Search<'a> {
         let mut pending: VecDeque<_> = all.map(task).collect();
         let mut pieces = MOST_PIECES.min(self.budget);
         while let Some((inequality, cell, lower, upper)) = pending.pop_front() {
+            if self.interest.is_lost() {
+                return Err(Objection::Budget);
+            }
             match self.sign(inequality, cell, &lower, &upper)? {
                 true => {}
                 false if pieces == 0 || lower == upper => return Err(Objection::Budget),
@@ -154,9 +165,9 @@ impl<'a> Search<'a> {
             }
             let weight = 1 + rows[index].values().len() / MODERATE;
             let allowed = (MOST_BOXES.min(self.budget) / weight).max(1);
-            let (sign, boxes) = sign_on_cube(&rows[index], allowed);
-            self.work.boxes += boxes;
-            self.spent += boxes * weight;
+            let (sign, cuts) = cuts_of_cube(&rows[index], allowed, &self.interest);
+            self.work.boxes += cuts.len();
+            self.spent += cuts.len() * weight;
             match sign {
                 CubeSign::NowhereNegative => {}
                 CubeSign::NegativeAt(point) if index == 0 || index == last => {
@@ -185,7 +196,8 @@ impl<'a> Search<'a> {
             ..one.clone()
         };
         let inequalities: Vec<TorusInequality> = self.inequalities.iter().map(reversed).collect();
-        let mut mirrored = Search::without_guesses(&inequalities, self.end.recip(), self.budget);
+        let mirrored = Search::without_guesses(&inequalities, self.end.recip(), self.budget);
+        let mut mirrored = mirrored.while_wanted(&self.interest);
         let end = mirrored.end.clone();
         let stable = mirrored.is_stable(&Rational::zero(), &end).is_ok();
         self.work += mirrored.work;

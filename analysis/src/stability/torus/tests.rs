@@ -3,6 +3,7 @@ use super::*;
 use crate::exact::rational::{Rational, integer, ratio};
 use crate::exact::real_roots::power_of_two;
 use crate::exact::tensor::{Origin, Tensor};
+use crate::interest::Interest;
 use crate::scheme::catalogue;
 use crate::stability::{Condition, Demands, Evidence, PointVerdict, SearchPlan};
 use std::rc::Rc;
@@ -18,7 +19,8 @@ fn both_roads_agree_in_one_dimension() {
         }
         // As if its line were a torus.
         let variable = step.names().parameter(parameter);
-        let demands = step.demands_on_torus(&step.characteristic().unwrap(), variable, &integer(0));
+        let (chi, always) = (step.characteristic().unwrap(), Interest::default());
+        let demands = step.demands_on_torus(&chi, variable, &integer(0), &always);
         let Demands::OnTorus(demands) = demands else { continue };
         let plan = SearchPlan::default().up_to(integer(20));
         let known = step.stable_set(parameter, &plan).unwrap();
@@ -70,7 +72,7 @@ fn one_wave_that_grows_is_enough_and_one_open_cell_too() {
     let all = [stable, open, unstable];
     for (i, first) in all.iter().enumerate() {
         for (j, second) in all.iter().enumerate() {
-            let expected = match decide_on_torus(&[first(), second()]) {
+            let expected = match decide_on_torus(&[first(), second()], &Interest::default()) {
                 PointVerdict::Stable => 0,
                 PointVerdict::Undecided => 1,
                 PointVerdict::Unstable(wave) => {
@@ -90,18 +92,22 @@ fn conditions_at_a_value_and_about_it() {
         inequalities: vec![TorusInequality { thinned, ..whatever_the_wave(&[4, -1]) }],
         stride: 2,
     };
-    let at = |value: Rational| demands(false).at(&value).map(|all| decide_on_torus(&all));
+    let at = |value: Rational| {
+        demands(false).at(&value).map(|all| decide_on_torus(&all, &Interest::default()))
+    };
     assert_eq!(at(ratio(3, 2)), Some(PointVerdict::Stable));
     assert!(matches!(at(ratio(5, 2)), Some(PointVerdict::Unstable(_))));
     assert_eq!([at(integer(2)), at(integer(0))], [None, None]);
     assert!(demands(true).at(&ratio(3, 2)).is_none());
-    let about = |value: Rational, budget| demands(false).are_met_about(&value, budget);
+    let little = |budget| SearchPlan { budget, ..SearchPlan::default() };
+    let about = |value: Rational, budget| demands(false).are_met_about(&value, &little(budget));
     let below = |bits: i64| integer(2) * (integer(1) - power_of_two(-bits));
     assert!(about(integer(1), 9) && about(below(29), 9));
     assert!(!about(integer(1), 0) && !about(below(31), 9) && !about(integer(2), 9));
     let above_one = TorusDemands { inequalities: vec![whatever_the_wave(&[-1, 1])], stride: 1 };
     let above = |bits: i64| integer(1) + power_of_two(-bits);
-    assert!(above_one.are_met_about(&above(29), 9) && !above_one.are_met_about(&above(31), 9));
+    assert!(above_one.are_met_about(&above(29), &little(9)));
+    assert!(!above_one.are_met_about(&above(31), &little(9)));
 }
 
 #[test]

@@ -89,6 +89,7 @@ impl<'a> Walk<'a> {
         let TorusDemands { inequalities, stride } = demands;
         let end = plan.max.pow(*stride as i32);
         let search = Search::new(inequalities, end, plan.bits, plan.budget);
+        let search = search.while_wanted(&plan.interest);
         let (stretches, unstable_at_once) = (Vec::new(), None);
         Self { search, stride: *stride, plan, stretches, unstable_at_once }
     }
