@@ -1,6 +1,6 @@
 //! One advection run as files: the profile as CSV and picture, the numbers as JSON.
 
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::{finite, significant};
 use crate::run_record::{BROKEN, ConservationRecord, RunRecord, RunReport, method_title};
 use courant_analysis::exact::rational::{Rational, to_text};
@@ -98,7 +98,7 @@ pub fn profile_csv(result: &AdvectionRun) -> String {
 /// The exact solution as a line with jumps, drawn between the particles.
 ///
 /// The rows run over cell edges `ξ = j/n` and stay constant within a cell, so that a jump is upright.
-pub fn exact_line(plan: &RunPlan, time: f64) -> Line {
+pub fn exact_line(plan: &RunPlan, time: f64) -> Series {
     const CELLS: usize = 2000;
     let points = (0..CELLS).flat_map(|cell| {
         let [from, to] = plan.scene.domain;
@@ -107,14 +107,14 @@ pub fn exact_line(plan: &RunPlan, time: f64) -> Line {
         let value = plan.scene.exact(at(0.5), time);
         [(at(0.0), value), (at(1.0), value)]
     });
-    Line::new(points).color(Color::GREY).width(1.0).label("exact")
+    Series::line(points).color(Color::GREY).width(1.0).label("exact")
 }
 
 /// The computed values as markers; of many particles every few.
-pub fn profile_markers(result: &AdvectionRun, marker: Marker, color: Color) -> Markers {
+pub fn profile_markers(result: &AdvectionRun, marker: Marker, color: Color) -> Series {
     let every = result.positions.len().div_ceil(MARKERS);
     let points = result.positions.iter().copied().zip(result.computed.iter().copied());
-    Markers::new(points.step_by(every), marker).color(color)
+    Series::markers(points.step_by(every), marker).color(color)
 }
 
 /// Five digits at most, without zeros at the end.
@@ -143,7 +143,7 @@ pub fn profile_figure(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun) -
                 .size(3.0)
                 .label("computed"),
         );
-    Figure::single(panel).title(title).size(6.0, 3.9).legend_below()
+    Figure::single(panel).title(title).size(6.0, 3.9)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Figures and tables of clouds: the gas beside the exact solution, the core against time, energies.
 
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::gas_run::{describe_particles, eos};
 use crate::number::{finite, significant};
 use crate::run_record::{RunRecord, RunReport, method_title};
@@ -23,9 +23,9 @@ fn by_radius(snapshot: &Snapshot) -> Vec<Vector<3>> {
     all
 }
 
-fn markers(points: Vec<(f64, f64)>) -> Markers {
+fn markers(points: Vec<(f64, f64)>) -> Series {
     let every = points.len().div_ceil(MOST_MARKERS).max(1);
-    Markers::new(points.into_iter().step_by(every), Marker::Circle)
+    Series::markers(points.into_iter().step_by(every), Marker::Circle)
         .color(Color::BLUE)
         .open()
         .size(1.4)
@@ -34,7 +34,7 @@ fn markers(points: Vec<(f64, f64)>) -> Markers {
 }
 
 /// The exact solution over the radii of the cloud, as `value(r, similarity)`.
-fn exact(cloud: &Cloud, time: f64, value: impl Fn(f64, [f64; 2]) -> f64) -> Option<Line> {
+fn exact(cloud: &Cloud, time: f64, value: impl Fn(f64, [f64; 2]) -> f64) -> Option<Series> {
     let from = cloud.sink.unwrap_or(1e-3 * cloud.radius);
     let ratio = (cloud.radius / from).ln();
     let points: Option<Vec<_>> = (0..=CURVE_POINTS)
@@ -44,7 +44,7 @@ fn exact(cloud: &Cloud, time: f64, value: impl Fn(f64, [f64; 2]) -> f64) -> Opti
             Some((r, value(r, [state.velocity, state.density])))
         })
         .collect();
-    Some(Line::new(points?).width(0.9).label("exact"))
+    Some(Series::line(points?).width(0.9).label("exact"))
 }
 
 /// `r·v` against `r`.
@@ -78,8 +78,8 @@ pub fn core_panels(cloud: &Cloud, run: &CloudRun) -> Option<[Panel; 2]> {
     let mass = run.core.iter().map(|[time, mass]| (scaled(*time), mass / cloud.mass));
     let end = scaled(last);
     let masses = Panel::new(Axis::linear("t/t collapse"), Axis::linear("core mass/cloud mass"))
-        .layer(Line::new([(0.0, 0.0), (end, end)]).width(0.8).label("exact"))
-        .layer(Line::new(mass).color(Color::BLUE).width(1.1).label("run"));
+        .layer(Series::line([(0.0, 0.0), (end, end)]).width(0.8).label("exact"))
+        .layer(Series::line(mass).color(Color::BLUE).width(1.1).label("run"));
     let at = |time: f64| {
         let next = run.core.partition_point(|core| core[0] < time).min(run.core.len() - 1);
         run.core[next]
@@ -90,8 +90,8 @@ pub fn core_panels(cloud: &Cloud, run: &CloudRun) -> Option<[Panel; 2]> {
         (b > a).then(|| (scaled(0.5 * (a + b)), (to - from) / (b - a) / unit))
     });
     let rate = Panel::new(Axis::linear("t/t collapse"), Axis::linear("accretion rate, c³/G"))
-        .layer(Line::new([(0.0, m0), (end, m0)]).width(0.8).label("exact"))
-        .layer(Line::new(rates).color(Color::BLUE).width(1.1).label("run"));
+        .layer(Series::line([(0.0, m0), (end, m0)]).width(0.8).label("exact"))
+        .layer(Series::line(rates).color(Color::BLUE).width(1.1).label("run"));
     Some([masses, rate])
 }
 
@@ -106,7 +106,7 @@ pub fn energy_panel(run: &CloudRun) -> Option<Panel> {
         ("total", Color::BLACK, |e| e.total().unwrap_or(f64::NAN)),
     ];
     let lines = curves.map(|(name, color, value)| {
-        Line::new(run.energies.iter().map(|e| (e.time, value(e))))
+        Series::line(run.energies.iter().map(|e| (e.time, value(e))))
             .color(color)
             .width(1.1)
             .label(name)
@@ -121,7 +121,7 @@ pub fn cloud_figure(cloud: &Cloud, run: &CloudRun) -> Option<Figure> {
     panels.extend(core_panels(cloud, run).into_iter().flatten());
     panels.extend(energy_panel(run));
     let rows = panels.len().div_ceil(2);
-    Some(Figure::grid(rows, 2).size(7.0, 2.7 * rows as f64).panels(panels).legend_below())
+    Some(Figure::grid(rows, 2).size(7.0, 2.7 * rows as f64).panels(panels))
 }
 
 /// A snapshot as CSV, one line for each particle by radius, with the exact solution where there is one.

@@ -1,6 +1,6 @@
 //! Runs in two and three dimensions: the figure, the tables of particles and of measures against time.
 
-use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::gas_run::{describe_particles, eos};
 use crate::number::{finite, significant};
 use crate::run_record::{NO_ENERGY, RunRecord, RunReport, method_title};
@@ -50,7 +50,8 @@ pub fn profile_panel(scene: &FieldScene, profile: &FieldProfile, time: f64) -> P
         };
         Some((at, value))
     });
-    let dots = Markers::new(points, Marker::Circle).color(Color::BLUE).size(1.6).label("particles");
+    let dots =
+        Series::markers(points, Marker::Circle).color(Color::BLUE).size(1.6).label("particles");
     let upright = Axis::linear(y_label);
     let upright = match scene.flow {
         // One scale for all methods, so that they can be compared.
@@ -59,7 +60,7 @@ pub fn profile_panel(scene: &FieldScene, profile: &FieldProfile, time: f64) -> P
     };
     Panel::new(Axis::linear(x_label).range(from, to), upright)
         .layer(dots)
-        .layer(Line::new(curve.collect::<Vec<_>>()).color(Color::VERMILION).label("exact"))
+        .layer(Series::line(curve.collect::<Vec<_>>()).color(Color::VERMILION).label("exact"))
 }
 
 /// The profile, and the measures of the scene against time.
@@ -75,10 +76,10 @@ pub fn field_figure(scene: &FieldScene, run: &FieldRun) -> Figure {
             .map(|sample| (sample.time, sample.measures.get(k).map_or(f64::NAN, |m| m.1)));
         let color =
             [Color::BLUE, Color::VERMILION, Color::GREEN, Color::PURPLE, Color::BLACK][k % 5];
-        let line = Line::new(points.collect::<Vec<_>>()).color(color).dash(Dash::nth(k));
+        let line = Series::line(points.collect::<Vec<_>>()).color(color).dash(Dash::nth(k));
         measures = measures.layer(line.label(name.replace('_', " ")));
     }
-    Figure::grid(1, 2).size(7.0, 3.6).panels([profile, measures]).legend_below()
+    Figure::grid(1, 2).size(7.0, 3.6).panels([profile, measures])
 }
 
 /// The record, the particles, the measures against time and the picture; `ratio` is the smoothing length as it was asked for.

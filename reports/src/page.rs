@@ -246,7 +246,7 @@ fn links(item: &Item) -> Vec<(String, String)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::{Axis, Line, Panel};
+    use crate::figure::{Axis, Panel, Series};
     use crate::part::{Part, publish};
     use crate::publish::OutputDirectory;
     use crate::table::Align;
@@ -256,7 +256,7 @@ mod tests {
         let mut table = Table::new("T", &[("a", Align::Left)]);
         table.push(["x < y"]);
         let panel = Panel::new(Axis::linear("x"), Axis::linear("y"))
-            .layer(Line::new([(0.0, 0.0), (1.0, 1.0)]));
+            .layer(Series::line([(0.0, 0.0), (1.0, 1.0)]));
         let section = Section {
             title: "S".into(),
             items: vec![

@@ -1,6 +1,6 @@
 //! Profiles of particle runs: the figure and the table of one scene's state beside its exact solution.
 
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::finite;
 use courant_simulation::riemann::State;
 use courant_simulation::run::{Profile, Run};
@@ -80,9 +80,9 @@ impl Quantity {
 }
 
 /// How particles and cells look in every profile: open blue rings, smaller where there are many.
-pub fn symbols(points: Vec<(f64, f64)>, label: &str) -> Markers {
+pub fn symbols(points: Vec<(f64, f64)>, label: &str) -> Series {
     let size = if points.len() > 150 { 2.3 } else { 3.0 };
-    let rings = Markers::new(points, Marker::Circle).color(Color::BLUE).open();
+    let rings = Series::markers(points, Marker::Circle).color(Color::BLUE).open();
     rings.size(size).width(0.6).label(label)
 }
 
@@ -113,13 +113,13 @@ pub fn profile_panel(
 }
 
 /// The exact solution as a curve over the scene's window.
-pub fn exact_line(scene: &Scene, quantity: Quantity, time: f64) -> Line {
+pub fn exact_line(scene: &Scene, quantity: Quantity, time: f64) -> Series {
     let [from, to] = scene.window;
     let points = (0..=CURVE_POINTS).filter_map(|k| {
         let x = from + (to - from) * k as f64 / CURVE_POINTS as f64;
         scene.exact(x, time).map(|state| (x, quantity.of_state(scene, &state)))
     });
-    Line::new(points.collect::<Vec<_>>()).width(0.8).label("exact")
+    Series::line(points.collect::<Vec<_>>()).width(0.8).label("exact")
 }
 
 /// Whether a quantity of the scene spans so many decades that only a logarithmic axis shows it.
@@ -136,7 +136,7 @@ pub fn profile_figure(scene: &Scene, run: &Run, exact: bool) -> Figure {
         profile_panel(scene, run, quantity, wants_logarithm(scene, quantity), exact)
             .title(format!("({letter}) {}", quantity.title()))
     });
-    Figure::grid(2, 2).size(7.0, 5.2).panels(panels).legend_below()
+    Figure::grid(2, 2).size(7.0, 5.2).panels(panels)
 }
 
 /// The profile as CSV: one line for each particle or cell in the order of the start, with the exact solution at its place

@@ -111,7 +111,7 @@ impl PlaneMap {
             true => "stability limit",
             false => "end of what is proved stable; not all beyond is decided",
         }));
-        let figure = Figure::single(panel).title(title).size(5.2, 4.3).legend_below();
+        let figure = Figure::single(panel).title(title).size(5.2, 4.3);
         Ok(figure.color_bar(damping_bar()?).color_bar(growth_bar()?))
     }
 

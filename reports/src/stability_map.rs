@@ -2,7 +2,7 @@
 
 use crate::figure::{
     Axis, Bands, Color, ColorBar, ColorMap, Dash, Field, Figure, FigureError, FilledContours,
-    Isolines, Layer, Line, Marker, Markers, Panel,
+    Isolines, Layer, Marker, Panel, Series,
 };
 use crate::npy;
 use crate::number::{finite, push_shortest};
@@ -148,7 +148,7 @@ impl StabilityMap {
         };
         if self.differs_from_budget() && reaches_in(&self.growth) {
             panel = panel.layer(
-                Line::new(self.growth.iter().copied())
+                Series::line(self.growth.iter().copied())
                     .color(Color::BLACK)
                     .width(1.1)
                     .dash(Dash::nth(1))
@@ -158,12 +158,12 @@ impl StabilityMap {
         let drawn = reaches_in(&self.stability).then_some(self.stability.as_slice());
         let stretches = drawn.into_iter().flat_map(stretches);
         for points in stretches.filter(|points| points.len() > 1 && points[0].1 > 0.0) {
-            let limit = Line::new(points.iter().copied()).width(1.8);
+            let limit = Series::line(points.iter().copied()).width(1.8);
             panel = panel.layer(limit.label("stability limit"));
         }
         if reaches_in(&self.monotonicity) {
             panel = panel.layer(
-                Line::new(self.monotonicity.iter().copied())
+                Series::line(self.monotonicity.iter().copied())
                     .color(Color::YELLOW)
                     .width(1.6)
                     .dash(Dash::nth(2))
@@ -177,8 +177,9 @@ impl StabilityMap {
             let points: Vec<CurvePoint> =
                 published.iter().filter(|p| p.limit == limit).map(|p| p.point).collect();
             if !points.is_empty() {
-                panel = panel
-                    .layer(Markers::new(points, marker).fill(Color::WHITE).size(4.5).label(label));
+                panel = panel.layer(
+                    Series::markers(points, marker).fill(Color::WHITE).size(4.5).label(label),
+                );
             }
         }
         Ok(panel)
@@ -226,7 +227,6 @@ impl StabilityMap {
         );
         Ok(Figure::single(self.panel(&title, &[])?)
             .size(5.2, 4.3)
-            .legend_below()
             .color_bar(damping_bar()?)
             .color_bar(growth_bar()?))
     }

@@ -1,7 +1,7 @@
 //! What schemes do to waves as one figure: gain, phase error, group speed, multipliers in the complex plane; with the direction in two
 //! dimensions.
 
-use crate::figure::{Axis, Color, Dash, Figure, Line, Note, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Note, Panel, Series};
 use crate::wave_map::wave_number_axis;
 use courant_analysis::waves::branches::{Branch, BranchWave};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -38,9 +38,9 @@ pub struct DirectionCurve {
 }
 
 impl WaveCurve {
-    fn line(&self, points: impl IntoIterator<Item = (f64, f64)>, is_physical: bool) -> Line {
+    fn line(&self, points: impl IntoIterator<Item = (f64, f64)>, is_physical: bool) -> Series {
         let color = Color::qualitative(self.color);
-        let line = Line::new(points).dash(Dash::nth(self.dash));
+        let line = Series::line(points).dash(Dash::nth(self.dash));
         match is_physical {
             true => line.color(color).width(1.4),
             false => line.color(color.mix(Color::WHITE, 0.45)).width(0.6),
@@ -54,7 +54,7 @@ impl WaveCurve {
     }
 
     /// Lines of a quantity over the phase, physical branches on top.
-    fn lines(&self, of: impl Fn(&BranchWave) -> Option<f64>, spurious: bool) -> Vec<Line> {
+    fn lines(&self, of: impl Fn(&BranchWave) -> Option<f64>, spurious: bool) -> Vec<Series> {
         let mut shown: Vec<(&Branch, bool)> =
             self.shown().filter(|(_, is_physical)| *is_physical || spurious).collect();
         shown.reverse();
@@ -109,11 +109,7 @@ pub fn figure(title: &str, curves: &[WaveCurve], directions: &[DirectionCurve]) 
     let panels = panels.map(|(panel, (letter, title))| panel.title(format!("({letter}) {title}")));
     let (columns, width) = if directions.is_empty() { (2, 7.4) } else { (3, 10.6) };
     let rows = curves.len().div_ceil(columns + 1) as f64;
-    Figure::grid(2, columns)
-        .size(width, 6.0 + 0.16 * rows)
-        .title(title)
-        .panels(panels)
-        .legend_below()
+    Figure::grid(2, columns).size(width, 6.0 + 0.16 * rows).title(title).panels(panels)
 }
 
 fn phase_axis(curves: &[WaveCurve]) -> Axis {
@@ -132,7 +128,7 @@ fn phase_axis(curves: &[WaveCurve]) -> Axis {
 fn gain(curves: &[WaveCurve]) -> Panel {
     let values = physical(curves, |wave| Some(wave.gain())).into_iter();
     let axis = bounded("gain |z|", values.chain([0.9]), 1.0, HIGHEST_GAIN - 1.0);
-    let mut panel = Panel::new(phase_axis(curves), axis).layer(Line::horizontal(1.0));
+    let mut panel = Panel::new(phase_axis(curves), axis).layer(Series::horizontal(1.0));
     for curve in curves {
         let exact = |wave: &BranchWave| wave.exact.map(|(exact, _)| exact.re.exp());
         // What the equation itself damps.
@@ -166,7 +162,7 @@ fn relative(
     }
     let axis = bounded(label, values.into_iter(), right, FARTHEST);
     let lines = curves.iter().flat_map(|curve| curve.lines(of, spurious));
-    Panel::new(phases, axis).layer(Line::horizontal(right)).layers(lines)
+    Panel::new(phases, axis).layer(Series::horizontal(right)).layers(lines)
 }
 
 /// The error of the phase speed, or of the rate of decay where the equation only damps.
@@ -184,7 +180,7 @@ fn phase_error(curves: &[WaveCurve]) -> (Panel, &'static str) {
 /// The path of every multiplier from long waves to short ones, with the unit circle.
 fn multipliers(curves: &[WaveCurve]) -> Panel {
     let circle = (0..=180).map(|k| (TAU * f64::from(k) / 180.0).sin_cos());
-    let circle = Line::new(circle).color(Color::GREY).width(0.8).label("unit circle");
+    let circle = Series::line(circle).color(Color::GREY).width(0.8).label("unit circle");
     let reach = physical(curves, |wave| Some(wave.gain())).into_iter().fold(1.0, f64::max);
     let reach = 1.08 * reach.min(HIGHEST_GAIN);
     let axis = |label| Axis::linear(label).range(-reach, reach);
@@ -215,14 +211,14 @@ fn against_direction(
     let y = bounded(label, values, 1.0, FARTHEST);
     let x = Axis::linear("direction (degrees)").range(0.0, 90.0);
     let x = x.ticks((0..=6).map(|k| (15.0 * f64::from(k), (15 * k).to_string())));
-    let mut panel = Panel::new(x, y).layer(Line::horizontal(1.0));
+    let mut panel = Panel::new(x, y).layer(Series::horizontal(1.0));
     for curve in curves {
         let points: Vec<(f64, f64)> =
             curve.waves.iter().map(|(angle, w)| (*angle, of(w).unwrap_or(f64::NAN))).collect();
         // Dashes tell directions in the other panels: here lengths are told by weight, and named.
         let fades = 0.28 * curve.rank as f64;
         let color = Color::qualitative(curve.color).mix(Color::WHITE, fades);
-        panel = panel.layer(Line::new(points).color(color).width(1.8 - 1.6 * fades));
+        panel = panel.layer(Series::line(points).color(color).width(1.8 - 1.6 * fades));
     }
     for curve in curves.iter().filter(|curve| curve.color == curves[0].color) {
         // Beside the first line of each length.

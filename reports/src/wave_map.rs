@@ -227,10 +227,7 @@ impl WaveMap {
     /// # Errors
     /// When the axes have too few points to draw.
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
-        Ok(Figure::single(self.panel(title)?)
-            .size(5.4, 4.2)
-            .color_bar(self.color_bar(&[])?)
-            .legend_below())
+        Ok(Figure::single(self.panel(title)?).size(5.4, 4.2).color_bar(self.color_bar(&[])?))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.

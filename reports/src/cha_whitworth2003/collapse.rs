@@ -175,15 +175,14 @@ fn figure(
     let (figure, data) = match kind {
         0 => {
             let panels = core_panels(scene, run).expect("it has a sink");
-            let figure =
-                Figure::grid(2, 1).size(4.6, 5.6).title(title).panels(panels).legend_below();
+            let figure = Figure::grid(2, 1).size(4.6, 5.6).title(title).panels(panels);
             (figure, vec![(file("core"), core_csv(run))])
         }
         1 => {
             let snapshot = &run.snapshots[FLOW.min(run.snapshots.len() - 1)];
             let panel = radial_flow_panel(scene, snapshot)
                 .title(format!("{title}, t = {:.2} t collapse", since(snapshot)));
-            let figure = Figure::single(panel).size(5.2, 3.6).legend_below();
+            let figure = Figure::single(panel).size(5.2, 3.6);
             (figure, vec![(file("flow"), cloud_csv(scene, snapshot))])
         }
         _ => {
@@ -192,8 +191,7 @@ fn figure(
                 density_panel(scene, snapshot)
                     .title(format!("t = {:.2} t collapse", since(snapshot)))
             });
-            let figure =
-                Figure::grid(3, 2).size(6.6, 7.6).title(title).panels(panels).legend_below();
+            let figure = Figure::grid(3, 2).size(6.6, 7.6).title(title).panels(panels);
             let data = times.iter().enumerate();
             let data = data.map(|(k, s)| (file(&k.to_string()), cloud_csv(scene, s))).collect();
             (figure, data)

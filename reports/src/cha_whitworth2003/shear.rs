@@ -52,7 +52,7 @@ fn figure(scene: &FieldScene, runs: &[FieldRun]) -> Item {
     let panels = runs.iter().zip(METHODS).map(|(run, (_, title, _))| {
         profile_panel(scene, &run.run.profile, run.run.time).title(title)
     });
-    let figure = Figure::grid(3, 2).size(6.6, 7.4).panels(panels).legend_below();
+    let figure = Figure::grid(3, 2).size(6.6, 7.4).panels(panels);
     let data = runs.iter().enumerate();
     let data = data.map(|(k, run)| (format!("figure_28_{k}.csv"), profile_csv(&run.run.profile)));
     let caption = words![

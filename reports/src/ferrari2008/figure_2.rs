@@ -53,8 +53,7 @@ pub fn section() -> Section {
     let figure = cases
         .iter()
         .enumerate()
-        .fold(Figure::grid(2, 2).size(7.2, 5.6), |figure, (k, case)| figure.panel(panel(k, case)))
-        .legend_below();
+        .fold(Figure::grid(2, 2).size(7.2, 5.6), |figure, (k, case)| figure.panel(panel(k, case)));
     let data = cases.iter().map(data_file).collect();
     let items = vec![
         text().figure("figure_02", words!["courant" = courant], figure, data),

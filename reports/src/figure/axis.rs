@@ -2,10 +2,10 @@
 
 use super::FigureError;
 use crate::number::{format_number, format_numbers, power_of_ten};
-use plotters::coord::{
-    ranged1d::{BoldPoints, KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter},
-    types::RangedCoordf64,
+use plotters::coord::ranged1d::{
+    BoldPoints, KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter,
 };
+use plotters::coord::types::RangedCoordf64;
 use std::ops::Range;
 
 /// One axis of a panel. Without a range it fits the data of the panel.
@@ -29,9 +29,8 @@ impl Axis {
     }
 
     /// Sets the ends of the axis.
-    pub fn range(mut self, low: f64, high: f64) -> Axis {
-        self.range = Some((low, high));
-        self
+    pub fn range(self, low: f64, high: f64) -> Axis {
+        Axis { range: Some((low, high)), ..self }
     }
 
     /// Sets the ends of the axis to the first and the last of ascending values.
@@ -43,18 +42,14 @@ impl Axis {
     }
 
     /// Sets the ticks: value and label each, where round numbers are not what is wanted (as π/2).
-    pub fn ticks(mut self, ticks: impl IntoIterator<Item = (f64, impl Into<String>)>) -> Axis {
-        self.ticks = Some(ticks.into_iter().map(|(value, label)| (value, label.into())).collect());
-        self
+    pub fn ticks(self, ticks: impl IntoIterator<Item = (f64, impl Into<String>)>) -> Axis {
+        let ticks = ticks.into_iter().map(|(value, label)| (value, label.into())).collect();
+        Axis { ticks: Some(ticks), ..self }
     }
 
-    /// The coordinate in which the axis is even; NaN for what has no place on it.
+    /// The coordinate in which the axis is even; not finite for what has no place on it.
     fn coordinate(&self, value: f64) -> f64 {
-        match self.log {
-            false => value,
-            true if value > 0.0 => value.log10(),
-            true => f64::NAN,
-        }
+        if self.log { value.log10() } else { value }
     }
 
     /// The axis with a definite range, from the data where none was given.
@@ -91,7 +86,7 @@ impl Axis {
         (self.coordinate(low), self.coordinate(high))
     }
 
-    /// How far along the axis a value lies: 0 at the lower end, 1 at the upper one, NaN if it has no place.
+    /// How far along the axis a value lies: 0 at the lower end, 1 at the upper one.
     pub(super) fn fraction(&self, value: f64) -> f64 {
         let (a, b) = self.ends();
         (self.coordinate(value) - a) / (b - a)

@@ -1,10 +1,9 @@
 //! Colours: the qualitative palette, colour maps, and the bands of value that maps are painted in.
 
 use super::FigureError;
-use plotters::style::{
-    RGBColor,
-    colors::colormaps::{ColorMap as _, DerivedColorMap, ViridisRGB},
-};
+use plotters::style::RGBColor;
+use plotters::style::colors::colormaps::{ColorMap as _, DerivedColorMap, ViridisRGB};
+use plotters_backend::BackendColor;
 
 /// An opaque sRGB colour: red, green, blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,14 +39,26 @@ impl Color {
         [C::BLUE, C::VERMILION, C::GREEN, C::ORANGE, C::PURPLE, C::SKY, C::BLACK][i % 7]
     }
 
-    /// The colour a fraction `t` of the way to `other`, linear in the sRGB components.
-    pub fn mix(self, other: Color, t: f64) -> Color {
-        DerivedColorMap::new(&[self, other].map(Color::plotters)).get_color(t).into()
+    fn from_hex(rgb: u32) -> Color {
+        let [_, red, green, blue] = rgb.to_be_bytes();
+        Color(red, green, blue)
     }
 
-    /// The same colour for plotters.
-    pub(super) fn plotters(self) -> RGBColor {
-        RGBColor(self.0, self.1, self.2)
+    /// The colour a fraction `t` of the way to `other`, linear in the sRGB components.
+    pub fn mix(self, other: Color, t: f64) -> Color {
+        along(&[self, other], t)
+    }
+}
+
+/// The colour at `t` in 0..=1 along some at equal distances.
+fn along(stops: &[Color], t: f64) -> Color {
+    let stops: Vec<RGBColor> = stops.iter().map(|c| RGBColor(c.0, c.1, c.2)).collect();
+    DerivedColorMap::new(&stops).get_color(t).into()
+}
+
+impl plotters::style::Color for Color {
+    fn to_backend_color(&self) -> BackendColor {
+        BackendColor { alpha: 1.0, rgb: (self.0, self.1, self.2) }
     }
 }
 
@@ -68,21 +79,17 @@ pub enum ColorMap {
     Reds,
 }
 
-const BLUES: [(u8, u8, u8); 5] =
-    [(247, 249, 251), (203, 225, 239), (134, 187, 218), (58, 131, 185), (20, 72, 128)];
-const REDS: [(u8, u8, u8); 5] =
-    [(251, 248, 246), (253, 217, 184), (247, 165, 106), (214, 86, 52), (137, 22, 28)];
+const BLUES: [u32; 5] = [0xf7f9fb, 0xcbe1ef, 0x86bbda, 0x3a83b9, 0x144880];
+const REDS: [u32; 5] = [0xfbf8f6, 0xfdd9b8, 0xf7a56a, 0xd65634, 0x89161c];
 
 impl ColorMap {
     /// The colour at `t` in 0..=1; values outside are clamped.
     pub fn at(self, t: f64) -> Color {
-        let stops = match self {
-            ColorMap::Viridis => return ViridisRGB.get_color(t).into(),
-            ColorMap::Blues => BLUES,
-            ColorMap::Reds => REDS,
-        };
-        let stops = stops.map(|(red, green, blue)| RGBColor(red, green, blue));
-        DerivedColorMap::new(&stops).get_color(t).into()
+        match self {
+            ColorMap::Viridis => ViridisRGB.get_color(t).into(),
+            ColorMap::Blues => along(&BLUES.map(Color::from_hex), t),
+            ColorMap::Reds => along(&REDS.map(Color::from_hex), t),
+        }
     }
 }
 

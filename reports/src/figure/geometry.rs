@@ -27,16 +27,6 @@ impl Rect {
         Rect { left: left - by, top: top - by, right: right + by, bottom: bottom + by }
     }
 
-    /// The larger distance for each side, of distances.
-    pub(super) fn union_of_sides(&self, other: Rect) -> Rect {
-        Rect {
-            left: self.left.max(other.left),
-            top: self.top.max(other.top),
-            right: self.right.max(other.right),
-            bottom: self.bottom.max(other.bottom),
-        }
-    }
-
     pub(super) fn contains(&self, p: Point) -> bool {
         p[0] >= self.left && p[0] <= self.right && p[1] >= self.top && p[1] <= self.bottom
     }

@@ -1,11 +1,8 @@
 //! Where along an isoline its value is written.
 
-use super::{
-    geometry::{Point, Rect, between, distance, distance_to_segment},
-    layer::Layer,
-    paint::{Frame, ISOLINE_SIZE},
-    text::POINT,
-};
+use super::geometry::{between, distance, distance_to_segment};
+use super::paint::ISOLINE_SIZE;
+use super::{POINT, Point, Rect};
 
 /// What labels must keep clear of: the border, other labels, and the curves, markers and notes of the panel.
 pub(super) struct Obstacles {
@@ -16,22 +13,13 @@ pub(super) struct Obstacles {
 }
 
 impl Obstacles {
-    pub(super) fn new(frame: &Frame, layers: &[Layer]) -> Obstacles {
-        let mut curves = Vec::new();
-        let mut add = |line: &[Point]| curves.extend(line.windows(2).map(|w| [w[0], w[1]]));
-        for layer in layers {
-            match layer {
-                Layer::Line(line) => frame.curve(&line.points).iter().for_each(|c| add(c)),
-                Layer::Isolines(lines) if !lines.values => {
-                    let all = frame.isolines(&lines.field, &lines.levels);
-                    all.iter().flatten().for_each(|line| add(line));
-                }
-                Layer::Markers(m) => m.points.iter().for_each(|&p| add(&[frame.at(p); 2])),
-                Layer::Note(note) => add(&[frame.at(note.at); 2]),
-                _ => {}
-            }
-        }
-        Obstacles { rect: frame.rect, labels: Vec::new(), curves }
+    pub(super) fn new(rect: Rect) -> Obstacles {
+        Obstacles { rect, labels: Vec::new(), curves: Vec::new() }
+    }
+
+    /// Keeps labels off a curve.
+    pub(super) fn add(&mut self, curve: &[Point]) {
+        self.curves.extend(curve.windows(2).map(|w| [w[0], w[1]]));
     }
 
     /// The middle and the angle (in radians, upright) of a text of this width on the straightest, most central stretch of
@@ -93,7 +81,7 @@ mod tests {
     #[test]
     fn labels_read_upright_and_keep_off_each_other_and_off_curves() {
         let rect = Rect { left: 0.0, top: 0.0, right: 4000.0, bottom: 2000.0 };
-        let empty = || Obstacles { rect, labels: Vec::new(), curves: Vec::new() };
+        let empty = || Obstacles::new(rect);
         // Drawn right to left and downwards to the left on the page.
         let line = [[3000.0, 200.0], [1000.0, 1800.0]];
         let mut obstacles = empty();
@@ -102,7 +90,7 @@ mod tests {
         let (second, _) = obstacles.place(&line, 400.0).unwrap();
         assert!(distance(first, second) > 480.0);
         assert_eq!(empty().place(&line, 100.0).unwrap().1, 0.0);
-        obstacles.curves.push([[2000.0, 0.0], [2000.0, 2000.0]]);
+        obstacles.add(&[[2000.0, 0.0], [2000.0, 2000.0]]);
         let (middle, _) = obstacles.place(&[[0.0, 300.0], [4000.0, 300.0]], 400.0).unwrap();
         assert!((middle[0] - 2000.0).abs() > 200.0);
         assert!(empty().place(&[[400.0, 1000.0], [1200.0, 1000.0]], 400.0).is_none());

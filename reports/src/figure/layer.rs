@@ -1,10 +1,6 @@
 //! What is drawn in a panel, in data coordinates.
 
-use super::{
-    color::{Bands, Color},
-    field::Field,
-    geometry::Point,
-};
+use super::{Bands, Color, Field, Point};
 
 /// How a line is broken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +19,7 @@ impl Dash {
     }
 
     /// Lengths of dash and gap, in multiples of the width.
-    pub(super) fn pattern(self) -> Option<[f64; 2]> {
+    pub(super) fn lengths(self) -> Option<[f64; 2]> {
         match self {
             Dash::Solid => None,
             Dash::Dashed => Some([4.5, 2.0]),
@@ -53,65 +49,54 @@ impl Marker {
     }
 }
 
-/// A polyline, black and 1.1 points wide; it is broken where a coordinate is not finite or has no place on a logarithmic
-/// axis.
+/// Points, in black, joined by a line or each with a marker.
+///
+/// A line is broken where a coordinate is not finite or has no place on a logarithmic axis; markers whose centre lies
+/// outside the panel are left out.
 #[derive(Debug, Clone)]
-pub struct Line {
+pub struct Series {
     /// A single point without one of its coordinates is a line across the whole panel.
     pub(super) points: Vec<Point>,
     pub(super) color: Color,
     pub(super) width: f64,
     pub(super) dash: Dash,
+    pub(super) marker: Option<Marker>,
+    pub(super) size: f64,
+    pub(super) fill: Option<Color>,
     pub(super) label: String,
 }
 
-impl Line {
-    /// A line through the points.
-    pub fn new(points: impl IntoIterator<Item = (f64, f64)>) -> Line {
+impl Series {
+    /// A line through the points, 1.1 points wide.
+    pub fn line(points: impl IntoIterator<Item = (f64, f64)>) -> Series {
         let points = points.into_iter().map(|(x, y)| [x, y]).collect();
-        Line { points, color: Color::BLACK, width: 1.1, dash: Dash::Solid, label: String::new() }
+        let (color, dash, label) = (Color::BLACK, Dash::Solid, String::new());
+        Series { points, color, width: 1.1, dash, marker: None, size: 4.0, fill: None, label }
+    }
+
+    /// Markers at the points, filled, 4 points in diameter, with an outline of 0.8 points.
+    pub fn markers(points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Series {
+        let fill = Some(Color::BLACK);
+        Series { marker: Some(marker), fill, width: 0.8, ..Series::line(points) }
     }
 
     /// The line x = `at` across the panel, thin and grey; axes are not made longer for it.
-    pub fn vertical(at: f64) -> Line {
-        Line::new([(at, f64::NAN)]).color(Color::GREY).width(0.8)
+    pub fn vertical(at: f64) -> Series {
+        Series::line([(at, f64::NAN)]).color(Color::GREY).width(0.8)
     }
 
     /// The line y = `at` across the panel, thin and grey; axes are not made longer for it.
-    pub fn horizontal(at: f64) -> Line {
-        Line::new([(f64::NAN, at)]).color(Color::GREY).width(0.8)
-    }
-}
-
-/// Markers at points, filled and black, 4 points in diameter; those whose centre lies outside the panel are left out.
-#[derive(Debug, Clone)]
-pub struct Markers {
-    pub(super) points: Vec<Point>,
-    pub(super) marker: Marker,
-    pub(super) color: Color,
-    pub(super) size: f64,
-    pub(super) fill: Option<Color>,
-    pub(super) width: f64,
-    pub(super) label: String,
-}
-
-impl Markers {
-    /// Markers at the points.
-    pub fn new(points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Markers {
-        let points = points.into_iter().map(|(x, y)| [x, y]).collect();
-        let (color, fill, label) = (Color::BLACK, Some(Color::BLACK), String::new());
-        Markers { points, marker, color, size: 4.0, fill, width: 0.8, label }
+    pub fn horizontal(at: f64) -> Series {
+        Series::line([(f64::NAN, at)]).color(Color::GREY).width(0.8)
     }
 
-    /// Sets the colour of outline and filling.
-    pub fn color(mut self, color: Color) -> Markers {
-        self.color = color;
-        self.fill = self.fill.map(|_| color);
-        self
+    /// Sets the colour, that of filled markers too.
+    pub fn color(self, color: Color) -> Series {
+        Series { color, fill: self.fill.map(|_| color), ..self }
     }
 
-    /// Only the outline: what is below shows through. A white `fill` hides it.
-    pub fn open(self) -> Markers {
+    /// Markers of which there is only the outline: what is below shows through. A white `fill` hides it.
+    pub fn open(self) -> Series {
         self.fill(None)
     }
 }
@@ -142,7 +127,6 @@ impl FilledContours {
 pub struct Isolines {
     pub(super) field: Field,
     pub(super) levels: Vec<f64>,
-    pub(super) color: Color,
     pub(super) width: f64,
     pub(super) values: bool,
     pub(super) label: String,
@@ -151,12 +135,12 @@ pub struct Isolines {
 impl Isolines {
     /// The lines of these values.
     pub fn new(field: Field, levels: impl IntoIterator<Item = f64>) -> Isolines {
-        let (levels, color) = (levels.into_iter().collect(), Color::BLACK);
-        Isolines { field, levels, color, width: 0.6, values: true, label: String::new() }
+        let levels = levels.into_iter().collect();
+        Isolines { field, levels, width: 0.6, values: true, label: String::new() }
     }
 }
 
-/// A short text centred on a point of the data, with a white border that keeps it readable.
+/// A short text centred on a point of the data, in black with a white border that keeps it readable.
 #[derive(Debug, Clone)]
 pub struct Note {
     pub(super) at: Point,
@@ -164,7 +148,7 @@ pub struct Note {
 }
 
 impl Note {
-    /// A black text.
+    /// The text at (`x`, `y`).
     pub fn new(x: f64, y: f64, text: impl Into<String>) -> Note {
         Note { at: [x, y], text: text.into() }
     }
@@ -196,31 +180,40 @@ macro_rules! layers {
 }
 
 layers! {
-    Line { color: Color, width: f64, dash: Dash, label: String }
-    Markers { fill: Option<Color>, size: f64, width: f64, label: String }
+    Series { width: f64, dash: Dash, size: f64, fill: Option<Color>, label: String }
     FilledContours { label: String }
-    Isolines { color: Color, width: f64, values: bool, label: String }
+    Isolines { width: f64, values: bool, label: String }
     Note {}
 }
 
 impl Layer {
-    /// The points that an axis without a range should show.
-    pub(super) fn extent(&self) -> Vec<Point> {
+    /// Its name in the legend; empty if it is not shown there.
+    pub(super) fn label(&self) -> &str {
         match self {
-            Layer::Line(Line { points, .. }) if points.len() < 2 => Vec::new(),
-            Layer::Line(Line { points, .. }) | Layer::Markers(Markers { points, .. }) => {
-                points.clone()
-            }
-            Layer::FilledContours(FilledContours { field: Field { x, y, .. }, .. })
-            | Layer::Isolines(Isolines { field: Field { x, y, .. }, .. }) => {
-                x.iter().map(|&x| [x, y[0]]).chain(y.iter().map(|&y| [x[0], y])).collect()
-            }
-            Layer::Note(_) => Vec::new(),
+            Layer::Series(Series { label, .. })
+            | Layer::FilledContours(FilledContours { label, .. })
+            | Layer::Isolines(Isolines { label, .. }) => label,
+            Layer::Note(_) => "",
         }
     }
 
-    /// Whether the layer shows a field.
-    pub(super) fn is_map(&self) -> bool {
-        matches!(self, Layer::FilledContours(_) | Layer::Isolines(_))
+    /// The points that an axis without a range should show.
+    pub(super) fn extent(&self) -> &[Point] {
+        match self {
+            // A line across the panel has no length of its own.
+            Layer::Series(Series { points, .. }) if !matches!(points[..], [[x, y]] if (x + y).is_nan()) => {
+                points
+            }
+            _ => &[],
+        }
+    }
+
+    /// The field that it shows.
+    pub(super) fn field(&self) -> Option<&Field> {
+        match self {
+            Layer::FilledContours(FilledContours { field, .. })
+            | Layer::Isolines(Isolines { field, .. }) => Some(field),
+            _ => None,
+        }
     }
 }

@@ -1,24 +1,9 @@
 //! Figures: panels in a grid, with what they share.
 
-use super::{
-    FigureError,
-    color::Color,
-    color_bar::ColorBar,
-    geometry::Rect,
-    ink::{Ink, failed},
-    legend,
-    panel::{LABEL_GAP, Panel},
-    raster::{self, Raster},
-    text::{self, POINT},
-};
-use plotters::{
-    backend::SVGBackend,
-    drawing::IntoDrawingArea,
-    style::{
-        FontTransform,
-        text_anchor::{HPos, VPos},
-    },
-};
+use super::legend::Legend;
+use super::raster;
+use super::{Canvas, Color, ColorBar, FigureError, POINT, Panel, Rect, Way, text};
+use plotters::{backend::SVGBackend, drawing::IntoDrawingArea};
 use plotters_backend::DrawingBackend;
 
 const TITLE_SIZE: f64 = 10.5;
@@ -29,34 +14,24 @@ const BAR_GAP: f64 = 9.0 * POINT;
 /// Around everything.
 const PAGE_MARGIN: f64 = 4.0 * POINT;
 
-/// Panels in a grid, with title, legend and colour bars in common.
+/// Panels in a grid, with title and colour bars in common, and below them a legend of all layers that have a label.
 ///
 /// The picture is made in memory as PNG or SVG; both show the same, and equal figures give equal bytes.
 #[derive(Debug, Clone)]
 pub struct Figure {
-    rows: usize,
-    columns: usize,
-    width: f64,
-    height: f64,
+    grid: (usize, usize),
+    /// In inches.
+    size: (f64, f64),
     title: String,
     panels: Vec<Panel>,
     color_bars: Vec<ColorBar>,
-    legend_below: bool,
 }
 
 impl Figure {
     /// A figure for `rows` x `columns` panels, 7 inches wide (the text width of most journals) and 5 high.
     pub fn grid(rows: usize, columns: usize) -> Figure {
-        Figure {
-            rows,
-            columns,
-            width: 7.0,
-            height: 5.0,
-            title: String::new(),
-            panels: Vec::new(),
-            color_bars: Vec::new(),
-            legend_below: false,
-        }
+        let (title, panels, color_bars) = (String::new(), Vec::new(), Vec::new());
+        Figure { grid: (rows, columns), size: (7.0, 5.0), title, panels, color_bars }
     }
 
     /// A figure of one panel.
@@ -65,21 +40,18 @@ impl Figure {
     }
 
     /// Sets the size in inches.
-    pub fn size(mut self, width: f64, height: f64) -> Figure {
-        (self.width, self.height) = (width, height);
-        self
+    pub fn size(self, width: f64, height: f64) -> Figure {
+        Figure { size: (width, height), ..self }
     }
 
     /// Sets the title above all panels; a long one takes several lines.
-    pub fn title(mut self, title: impl Into<String>) -> Figure {
-        self.title = title.into();
-        self
+    pub fn title(self, title: impl Into<String>) -> Figure {
+        Figure { title: title.into(), ..self }
     }
 
     /// Adds the next panel; panels fill the grid row by row.
-    pub fn panel(mut self, panel: Panel) -> Figure {
-        self.panels.push(panel);
-        self
+    pub fn panel(self, panel: Panel) -> Figure {
+        self.panels([panel])
     }
 
     /// Adds panels in order.
@@ -94,20 +66,12 @@ impl Figure {
         self
     }
 
-    /// Shows one legend below all panels, with the names of all layers.
-    pub fn legend_below(mut self) -> Figure {
-        self.legend_below = true;
-        self
-    }
-
     /// The picture as PNG at 300 dots per inch, with its size recorded in the file.
     ///
     /// # Errors
     /// If an axis has an impossible range, or the panels do not fit.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        let mut pixels = raster::pixels(self.units())?;
-        self.draw_on(Raster::new(self.units(), &mut pixels))?;
-        raster::png(pixels)
+        raster::png(self.units(), |raster| self.draw_on(raster))
     }
 
     /// The picture as SVG. Axes, titles and legends are text.
@@ -119,11 +83,9 @@ impl Figure {
         let (width, height) = self.units();
         self.draw_on(SVGBackend::with_string(&mut document, (width, height)))?;
         // Its physical size instead of units of the canvas.
-        let inches = |units: u32| f64::from(units) / (72.0 * POINT);
+        let [wide, high] = [width, height].map(|units| f64::from(units) / (72.0 * POINT));
         let size = format!(
-            "role=\"img\" stroke-linejoin=\"round\" width=\"{}in\" height=\"{}in\"",
-            inches(width),
-            inches(height)
+            "role=\"img\" stroke-linejoin=\"round\" width=\"{wide}in\" height=\"{high}in\""
         );
         Ok(document.replacen(&format!("width=\"{width}\" height=\"{height}\""), &size, 1))
     }
@@ -131,11 +93,11 @@ impl Figure {
     /// The size of the canvas.
     fn units(&self) -> (u32, u32) {
         let units = |inches: f64| (inches * 72.0 * POINT).round() as u32;
-        (units(self.width), units(self.height))
+        (units(self.size.0), units(self.size.1))
     }
 
     fn draw_on<DB: DrawingBackend>(&self, backend: DB) -> Result<(), FigureError> {
-        let (rows, columns) = (self.rows, self.columns);
+        let (rows, columns) = self.grid;
         if self.panels.len() > rows * columns || self.panels.is_empty() {
             return Err(FigureError::PanelCount(self.panels.len(), rows, columns));
         }
@@ -147,54 +109,59 @@ impl Figure {
         let title = text::wrapped(&self.title, TITLE_SIZE, area.width());
         let title_line = 1.3 * TITLE_SIZE * POINT;
         area.top += title.len() as f64 * title_line;
-        let layers = self.panels.iter().filter(|_| self.legend_below).flat_map(|p| &p.layers);
-        let legend = legend::rows(layers, area.width());
-        area.bottom -= legend.len() as f64 * (legend::ROW + LABEL_GAP / legend.len().max(1) as f64);
+        let legend = Legend::new(panels.iter().flat_map(|panel| &panel.layers), area.width());
+        area.bottom -= legend.height();
         let bars = self.color_bars.len() as f64;
         // Bars are as long as the plots, which are shorter than the area by titles and axes.
         let length = 0.8 * area.height() / bars;
         let breadths = self.color_bars.iter().map(|bar| BAR_GAP + bar.breadth(length));
         area.right -= breadths.fold(0.0, f64::max);
-        let cell = Rect {
-            right: area.left + (area.width() + PANEL_GAP) / columns as f64 - PANEL_GAP,
-            bottom: area.top + (area.height() + PANEL_GAP) / rows as f64 - PANEL_GAP,
-            ..area
+        // From panel to panel.
+        let pitch = [
+            (area.width() + PANEL_GAP) / columns as f64,
+            (area.height() + PANEL_GAP) / rows as f64,
+        ];
+        let inner = |[left, right, above, below]: [f64; 4]| {
+            [pitch[0] - PANEL_GAP - left - right, pitch[1] - PANEL_GAP - above - below]
         };
-        let inner = |m: Rect| (cell.width() - m.left - m.right, cell.height() - m.top - m.bottom);
-        let mut margins = Rect { left: 0.0, top: 0.0, right: 0.0, bottom: 0.0 };
+        let mut margins = [0.0; 4];
         // Margins depend on the ticks and these on the size: three rounds settle it.
         for _ in 0..3 {
-            let (width, height) = inner(margins);
+            let [width, height] = inner(margins);
             if !(width >= 30.0 * POINT && height >= 30.0 * POINT) {
                 return Err(FigureError::TooSmall(width / POINT, height / POINT));
             }
-            for m in panels.iter().map(|panel| panel.margins(width, height)) {
-                margins = margins.union_of_sides(m);
+            for needed in panels.iter().map(|panel| panel.margins(width, height)) {
+                margins = std::array::from_fn(|k| needed[k].max(margins[k]));
             }
         }
-        let plot = |row: usize, column: usize| {
-            let left = area.left + margins.left + column as f64 * (cell.width() + PANEL_GAP);
-            let top = area.top + margins.top + row as f64 * (cell.height() + PANEL_GAP);
-            let (width, height) = inner(margins);
+        let [width, height] = inner(margins);
+        let plot = |k: usize| {
+            let left = area.left + margins[0] + (k % columns) as f64 * pitch[0];
+            let top = area.top + margins[2] + (k / columns) as f64 * pitch[1];
             Rect { left, top, right: left + width, bottom: top + height }
         };
-        let canvas = backend.into_drawing_area();
-        Ink::fill(&canvas, &[page.corners()], Color::WHITE)?;
+        let mut canvas = Canvas::default();
+        canvas.fill(vec![page.corners()], Color::WHITE);
+        let middle = 0.5 * page.right;
         for (k, line) in title.iter().enumerate() {
-            let at = [0.5 * page.right, PAGE_MARGIN + k as f64 * title_line];
-            canvas.write(line, TITLE_SIZE, at, (HPos::Center, VPos::Top, FontTransform::None))?;
+            let ascent = (text::ASCENT + text::DESCENT) * TITLE_SIZE * POINT;
+            let down = PAGE_MARGIN + k as f64 * title_line + ascent;
+            canvas.write(line, TITLE_SIZE, [middle, down], Way::Above);
         }
-        for (k, panel) in panels.iter().enumerate() {
-            panel.draw(&canvas, plot(k / columns, k % columns), margins)?;
-        }
-        let (top, bottom) = (plot(0, 0).top, plot(rows - 1, 0).bottom);
+        let (top, bottom) = (plot(0).top, plot(rows * columns - 1).bottom);
         let step = (bottom - top + BAR_GAP) / bars;
         for (k, bar) in self.color_bars.iter().enumerate() {
             let low = bottom - k as f64 * step;
-            bar.draw(&canvas, area.right + BAR_GAP, (low, low - step + BAR_GAP))?;
+            bar.draw(&mut canvas, area.right + BAR_GAP, (low, low - step + BAR_GAP));
         }
-        legend::draw(&canvas, &legend, 0.5 * page.right, area.bottom + LABEL_GAP)?;
-        canvas.present().map_err(failed)
+        legend.draw(&mut canvas, middle, area.bottom);
+        let sheet = backend.into_drawing_area();
+        canvas.draw(&sheet)?;
+        for (k, panel) in panels.iter().enumerate() {
+            panel.draw(&sheet, plot(k), margins)?;
+        }
+        Ok(sheet.present()?)
     }
 }
 

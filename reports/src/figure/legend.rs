@@ -1,120 +1,76 @@
 //! The legend below all panels: names of layers beside samples of their look. Plotters' own has but one column in a
 //! corner of one plot, and measures its text without the font.
 
-use super::{
-    color::Color,
-    geometry::Rect,
-    ink::{Drawn, Ink, Pen},
-    layer::Layer,
-    text::{self, POINT},
-};
-use plotters::style::{
-    FontTransform,
-    text_anchor::{HPos, VPos},
-};
+use super::panel::LABEL_GAP;
+use super::{Canvas, Color, Dash, Layer, POINT, Rect, Way, pen, text};
+use std::ops::Range;
 
 /// Size of the names, in points.
 const SIZE: f64 = 7.8;
 /// From line to line.
-pub(super) const ROW: f64 = 1.55 * SIZE * POINT;
+const ROW: f64 = 1.55 * SIZE * POINT;
 /// Length of a sample, and of the room between entries.
 const SAMPLE: f64 = 20.0 * POINT;
 /// From sample to name.
 const GAP: f64 = 4.0 * POINT;
 
-/// A name and the layers that bear it.
-pub(super) type Entry<'a> = (&'a str, Vec<&'a Layer>);
-
-/// The entries of named layers as rows no wider than `room`; layers of the same name share one.
-pub(super) fn rows<'a>(
-    layers: impl IntoIterator<Item = &'a Layer>,
-    room: f64,
-) -> Vec<Vec<Entry<'a>>> {
-    let mut entries: Vec<Entry> = Vec::new();
-    for layer in layers {
-        let label = match layer {
-            Layer::Line(l) => &l.label,
-            Layer::Markers(l) => &l.label,
-            Layer::FilledContours(l) => &l.label,
-            Layer::Isolines(l) => &l.label,
-            Layer::Note(_) => continue,
-        };
-        match entries.iter_mut().find(|entry| entry.0 == label) {
-            _ if label.is_empty() => {}
-            Some(entry) => entry.1.push(layer),
-            None => entries.push((label, vec![layer])),
-        }
-    }
-    let mut rows: Vec<Vec<Entry>> = Vec::new();
-    for entry in entries {
-        match rows.last_mut() {
-            Some(row) if width(row) + width(std::slice::from_ref(&entry)) <= room + SAMPLE => {
-                row.push(entry)
-            }
-            _ => rows.push(vec![entry]),
-        }
-    }
-    rows
+/// Names, each with the layers that bear it and the room it takes up to the next one, in rows.
+pub(super) struct Legend<'a> {
+    entries: Vec<(&'a str, Vec<&'a Layer>)>,
+    widths: Vec<f64>,
+    rows: Vec<Range<usize>>,
 }
 
-/// What entries need, each with the room before the next.
-fn width(row: &[Entry]) -> f64 {
-    row.iter().map(|entry| 2.0 * SAMPLE + GAP + text::width(entry.0, SIZE * POINT)).sum()
-}
-
-/// Draws rows from `top` down, each centred on `middle`.
-pub(super) fn draw(canvas: &impl Ink, rows: &[Vec<Entry>], middle: f64, top: f64) -> Drawn {
-    let to = (HPos::Left, VPos::Center, FontTransform::None);
-    for (k, row) in rows.iter().enumerate() {
-        let y = top + (k as f64 + 0.5) * ROW;
-        for (n, (label, layers)) in row.iter().enumerate() {
-            let x = middle - 0.5 * (width(row) - SAMPLE) + width(&row[..n]);
-            for layer in layers {
-                sample(canvas, layer, [x, y])?;
+impl<'a> Legend<'a> {
+    /// The legend of the named layers, `room` wide at most; layers of the same name share an entry.
+    pub(super) fn new(layers: impl Iterator<Item = &'a Layer>, room: f64) -> Legend<'a> {
+        let mut entries: Vec<(&str, Vec<&Layer>)> = Vec::new();
+        for layer in layers.filter(|layer| !layer.label().is_empty()) {
+            match entries.iter_mut().find(|entry| entry.0 == layer.label()) {
+                Some(entry) => entry.1.push(layer),
+                None => entries.push((layer.label(), vec![layer])),
             }
-            canvas.write(label, SIZE, [x + SAMPLE + GAP, y], to.clone())?;
+        }
+        let width = |entry: &(&str, _)| 2.0 * SAMPLE + GAP + text::width(entry.0, SIZE);
+        let widths: Vec<f64> = entries.iter().map(width).collect();
+        let rows = text::lines(&widths, room + SAMPLE);
+        Legend { entries, widths, rows }
+    }
+
+    pub(super) fn height(&self) -> f64 {
+        self.rows.len() as f64 * ROW + if self.rows.is_empty() { 0.0 } else { LABEL_GAP }
+    }
+
+    /// Draws the legend from `top` down, each row centred on `middle`.
+    pub(super) fn draw(&self, canvas: &mut Canvas, middle: f64, top: f64) {
+        for (k, row) in self.rows.iter().enumerate() {
+            let y = top + LABEL_GAP + (k as f64 + 0.5) * ROW;
+            let mut x = middle - 0.5 * (self.widths[row.clone()].iter().sum::<f64>() - SAMPLE);
+            for n in row.clone() {
+                let (label, layers) = &self.entries[n];
+                layers.iter().for_each(|layer| sample(canvas, layer, x, y));
+                canvas.write(label, SIZE, [x + SAMPLE + GAP, y], Way::Beside);
+                x += self.widths[n];
+            }
         }
     }
-    Ok(())
 }
 
 /// The look of a layer, to the right of a place.
-fn sample(canvas: &impl Ink, layer: &Layer, [x, y]: [f64; 2]) -> Drawn {
+fn sample(canvas: &mut Canvas, layer: &Layer, x: f64, y: f64) {
     let line = [[x, y], [x + SAMPLE, y]];
     match layer {
-        Layer::Line(l) => {
-            canvas.stroke(&line, Pen { color: l.color, width: l.width, dash: l.dash })
-        }
-        Layer::Isolines(l) => canvas.stroke(&line, Pen::solid(l.color, l.width)),
-        Layer::Markers(m) => canvas.marker([x + 0.5 * SAMPLE, y], m),
-        Layer::FilledContours(l) => {
+        Layer::Series(series) => match series.marker {
+            Some(marker) => canvas.marker([x + 0.5 * SAMPLE, y], marker, series),
+            None => canvas.stroke(&line, pen(series.color, series.width), series.dash),
+        },
+        Layer::Isolines(lines) => canvas.stroke(&line, pen(Color::BLACK, lines.width), Dash::Solid),
+        Layer::FilledContours(contours) => {
             let half = 0.4 * SIZE * POINT;
             let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
-            canvas.fill(&[patch.corners()], l.bands.colors[0])?;
-            canvas.outline(&patch.corners(), Pen::solid(Color::GREY, 0.4))
+            canvas.fill(vec![patch.corners()], contours.bands.colors[0]);
+            canvas.outline(&patch.corners(), pen(Color::GREY, 0.4));
         }
-        Layer::Note(_) => Ok(()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::figure::{Line, Marker, Markers};
-
-    #[test]
-    fn layers_of_one_name_share_an_entry() {
-        let layers: [Layer; 4] = [
-            Line::new([]).label("a").into(),
-            Markers::new([], Marker::Circle).label("a").into(),
-            Line::new([]).into(),
-            Line::vertical(1.0).label("b").into(),
-        ];
-        let rows = |room: f64| -> Vec<Vec<usize>> {
-            let rows = rows(&layers, room).into_iter();
-            rows.map(|row| row.iter().map(|entry| entry.1.len()).collect()).collect()
-        };
-        // Each row holds at least one entry, however narrow the page.
-        assert_eq!((rows(1.0), rows(1e6)), (vec![vec![2], vec![1]], vec![vec![2, 1]]));
+        Layer::Note(_) => {}
     }
 }

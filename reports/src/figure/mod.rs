@@ -1,31 +1,31 @@
 //! Figures for papers and reports: plain data in, PNG (300 dpi) or SVG out, in memory.
 //!
-//! A [`Figure`] is a grid of [`Panel`]s; a panel has two [`Axis`] and layers in data coordinates: [`Line`], [`Markers`],
+//! A [`Figure`] is a grid of [`Panel`]s; a panel has two [`Axis`] and layers in data coordinates: [`Series`],
 //! [`FilledContours`], [`Isolines`], [`Note`]. Sizes are in points (1/72 inch) on the printed page.
 //!
 //! [plotters] draws, on a canvas in units of a twentieth of a point: as SVG by its own backend, as PNG by one over
 //! tiny-skia. The result depends on nothing but the data: equal figures give equal bytes.
 //!
 //! ```
-//! use courant_reports::figure::{Axis, Figure, Line, Marker, Markers, Panel};
+//! use courant_reports::figure::{Axis, Figure, Marker, Panel, Series};
 //!
 //! let h = [0.1, 0.05, 0.025];
 //! let error = [4e-3, 1e-3, 2.5e-4];
 //! let panel = Panel::new(Axis::log("h"), Axis::log("error"))
-//!     .layer(Line::new(h.into_iter().zip(error)).label("run"))
-//!     .layer(Markers::new(h.into_iter().zip(error), Marker::Circle).label("run"));
-//! let figure = Figure::single(panel).size(3.5, 2.6).legend_below();
+//!     .layer(Series::line(h.into_iter().zip(error)).label("run"))
+//!     .layer(Series::markers(h.into_iter().zip(error), Marker::Circle).label("run"));
+//! let figure = Figure::single(panel).size(3.5, 2.6);
 //! assert!(figure.svg()?.starts_with("<svg"));
 //! assert_eq!(&figure.png()?[1..4], b"PNG");
 //! # Ok::<(), courant_reports::figure::FigureError>(())
 //! ```
 
 mod axis;
+mod canvas;
 mod color;
 mod color_bar;
 mod field;
 mod geometry;
-mod ink;
 mod isoline_label;
 mod layer;
 mod layout;
@@ -39,9 +39,13 @@ pub use axis::Axis;
 pub use color::{Bands, Color, ColorMap};
 pub use color_bar::ColorBar;
 pub use field::Field;
-pub use layer::{Dash, FilledContours, Isolines, Layer, Line, Marker, Markers, Note};
+pub use layer::{Dash, FilledContours, Isolines, Layer, Marker, Note, Series};
 pub use layout::Figure;
 pub use panel::Panel;
+
+use canvas::{Canvas, Way, pen};
+use geometry::{Point, Rect};
+use text::POINT;
 
 /// Why a figure, or a part of it, cannot be drawn.
 #[derive(Debug, thiserror::Error)]

@@ -1,13 +1,9 @@
 //! From data coordinates to the page: the layers of a panel.
 
+use super::geometry::{clip, distance, simplify};
+use super::isoline_label::Obstacles;
 use super::{
-    axis::Axis,
-    field::Field,
-    geometry::{Point, Rect, clip, distance, simplify},
-    ink::{Drawn, Ink, Pen},
-    isoline_label::Obstacles,
-    layer::{FilledContours, Isolines, Layer, Line},
-    text::{self, POINT},
+    Axis, Canvas, Color, Dash, Field, FilledContours, Layer, POINT, Point, Rect, pen, text,
 };
 use crate::number::format_number;
 use rayon::prelude::*;
@@ -33,14 +29,14 @@ impl Frame<'_> {
     /// A curve on the page, within the panel.
     pub(super) fn curve(&self, points: &[Point]) -> Vec<Vec<Point>> {
         let Rect { left, top, right, bottom } = self.rect;
-        let on_page: Vec<Point> = points.iter().map(|&p| self.at(p)).collect();
-        let lines = match on_page[..] {
+        let mut on_page: Vec<Point> = points.iter().map(|&p| self.at(p)).collect();
+        match on_page[..] {
             // Across the panel.
-            [[x, y]] if y.is_nan() => clip(&[[x, bottom], [x, top]], &self.rect),
-            [[x, y]] if x.is_nan() => clip(&[[left, y], [right, y]], &self.rect),
-            _ => clip(&on_page, &self.rect),
-        };
-        lines.iter().map(|line| simplify(line, TOLERANCE)).collect()
+            [[x, y]] if y.is_nan() => on_page = vec![[x, bottom], [x, top]],
+            [[x, y]] if x.is_nan() => on_page = vec![[left, y], [right, y]],
+            _ => {}
+        }
+        clip(&on_page, &self.rect).iter().map(|line| simplify(line, TOLERANCE)).collect()
     }
 
     /// A field on the page, where contours are drawn straight from side to side of its cells.
@@ -60,67 +56,69 @@ impl Frame<'_> {
     }
 }
 
-/// Draws layers in order.
-pub(super) fn layers(canvas: &impl Ink, frame: &Frame, layers: &[Layer]) -> Drawn {
+/// Draws layers in order, and the values of isolines over them.
+pub(super) fn layers(canvas: &mut Canvas, frame: &Frame, layers: &[Layer]) {
     // Side by side: following contours is most of the work.
     layers.par_iter().for_each(|layer| match layer {
         Layer::FilledContours(contours) => contours.field.follow(&contours.bands.ascending().0),
         Layer::Isolines(lines) => lines.field.follow(&lines.levels),
         _ => {}
     });
-    let mut labels = Obstacles::new(frame, layers);
+    let mut obstacles = Obstacles::new(frame.rect);
+    let mut labelled = Vec::new();
     for layer in layers {
         match layer {
-            Layer::Line(Line { points, color, width, dash, .. }) => {
-                let pen = Pen { color: *color, width: *width, dash: *dash };
-                frame.curve(points).iter().try_for_each(|piece| canvas.stroke(piece, pen))?;
-            }
-            Layer::Markers(markers) => {
-                let places = markers.points.iter().map(|&p| frame.at(p));
-                for at in places.filter(|&at| frame.rect.grown(0.5).contains(at)) {
-                    canvas.marker(at, markers)?;
+            Layer::Series(series) => match series.marker {
+                Some(marker) => {
+                    let places = series.points.iter().map(|&p| frame.at(p));
+                    for at in places.filter(|&at| frame.rect.grown(0.5).contains(at)) {
+                        canvas.marker(at, marker, series);
+                        obstacles.add(&[at; 2]);
+                    }
+                }
+                None => {
+                    for piece in frame.curve(&series.points) {
+                        canvas.stroke(&piece, pen(series.color, series.width), series.dash);
+                        obstacles.add(&piece);
+                    }
+                }
+            },
+            Layer::FilledContours(contours) => bands(canvas, frame, contours),
+            Layer::Isolines(isolines) => {
+                let lines = frame.isolines(&isolines.field, &isolines.levels);
+                let levels = isolines.levels.iter().zip(lines);
+                for (&level, line) in
+                    levels.flat_map(|(l, lines)| lines.into_iter().map(move |line| (l, line)))
+                {
+                    canvas.stroke(&line, pen(Color::BLACK, isolines.width), Dash::Solid);
+                    match isolines.values {
+                        true => labelled.push((level, line)),
+                        false => obstacles.add(&line),
+                    }
                 }
             }
-            Layer::FilledContours(contours) => bands(canvas, frame, contours)?,
-            Layer::Isolines(lines) => isolines(canvas, frame, lines, &mut labels)?,
             Layer::Note(note) => {
-                canvas.letters(&note.text, NOTE_SIZE, (frame.at(note.at), 0.0))?;
+                canvas.letters(&note.text, NOTE_SIZE, frame.at(note.at), 0.0);
+                obstacles.add(&[frame.at(note.at); 2]);
             }
         }
     }
-    Ok(())
+    for (level, line) in labelled {
+        let value = format_number(level);
+        let place = obstacles.place(&line, text::width(&value, ISOLINE_SIZE));
+        if let Some((at, angle)) = place {
+            canvas.letters(&value, ISOLINE_SIZE, at, angle);
+        }
+    }
 }
 
 /// Each band is painted from its lower edge all the way up and the next one over it: neighbours overlap, so no seam of
 /// background can show between them.
-fn bands(canvas: &impl Ink, frame: &Frame, contours: &FilledContours) -> Drawn {
+fn bands(canvas: &mut Canvas, frame: &Frame, contours: &FilledContours) {
     let (levels, colors) = contours.bands.ascending();
     for (rings, color) in frame.field(&contours.field).regions(&levels).into_iter().zip(colors) {
-        let rings: Vec<_> = rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect();
         if !rings.is_empty() {
-            canvas.fill(&rings, color)?;
+            canvas.fill(rings.iter().map(|ring| simplify(ring, TOLERANCE)).collect(), color);
         }
     }
-    Ok(())
-}
-
-fn isolines(
-    canvas: &impl Ink,
-    frame: &Frame,
-    isolines: &Isolines,
-    labels: &mut Obstacles,
-) -> Drawn {
-    let pen = Pen::solid(isolines.color, isolines.width);
-    let lines = frame.isolines(&isolines.field, &isolines.levels);
-    for (&level, lines) in isolines.levels.iter().zip(lines) {
-        let value = format_number(level);
-        let width = text::width(&value, ISOLINE_SIZE * POINT);
-        for line in lines {
-            canvas.stroke(&line, pen)?;
-            if let Some(place) = isolines.values.then(|| labels.place(&line, width)).flatten() {
-                canvas.letters(&value, ISOLINE_SIZE, place)?;
-            }
-        }
-    }
-    Ok(())
 }

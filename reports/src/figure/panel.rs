@@ -1,24 +1,9 @@
 //! One panel: two axes and what is drawn between them.
 
-use super::{
-    FigureError,
-    axis::Axis,
-    color::Color,
-    geometry::{Point, Rect},
-    ink::{Drawn, Ink, Pen, failed},
-    layer::Layer,
-    paint::{self, Frame},
-    text::{self, POINT},
-};
-use plotters::{
-    chart::ChartBuilder,
-    coord::Shift,
-    drawing::DrawingArea,
-    style::{
-        FontTransform,
-        text_anchor::{HPos, VPos},
-    },
-};
+use super::paint::{self, Frame};
+use super::{Axis, Canvas, Color, FigureError, Layer, POINT, Point, Rect, Way, pen, text};
+use plotters::style::text_anchor::{HPos, VPos};
+use plotters::{chart::ChartBuilder, coord::Shift, drawing::DrawingArea};
 use plotters_backend::DrawingBackend;
 
 // Sizes of text and widths of lines in points, lengths in units.
@@ -50,15 +35,13 @@ impl Panel {
     }
 
     /// Sets the title.
-    pub fn title(mut self, title: impl Into<String>) -> Panel {
-        self.title = title.into();
-        self
+    pub fn title(self, title: impl Into<String>) -> Panel {
+        Panel { title: title.into(), ..self }
     }
 
     /// Adds a layer on top.
-    pub fn layer(mut self, layer: impl Into<Layer>) -> Panel {
-        self.layers.push(layer.into());
-        self
+    pub fn layer(self, layer: impl Into<Layer>) -> Panel {
+        self.layers([layer])
     }
 
     /// Adds layers on top, in order.
@@ -69,18 +52,22 @@ impl Panel {
 
     /// Makes a unit as long upwards as to the right, so that circles are round: one of two linear axes shows more than
     /// its range.
-    pub fn equal_units(mut self) -> Panel {
-        self.equal_units = true;
-        self
+    pub fn equal_units(self) -> Panel {
+        Panel { equal_units: true, ..self }
     }
 
     /// The panel with definite ranges of its axes.
     pub(super) fn resolve(&self) -> Result<Panel, FigureError> {
+        let (mut points, mut pad) = (Vec::<Point>::new(), 0.0);
+        for field in self.layers.iter().filter_map(Layer::field) {
+            points.extend(field.x.iter().map(|&x| [x, field.y[0]]));
+            points.extend(field.y.iter().map(|&y| [field.x[0], y]));
+        }
         // What lies over a map does not widen it.
-        let is_map = self.layers.iter().any(Layer::is_map);
-        let pad = if is_map { 0.0 } else { 0.04 };
-        let shown = self.layers.iter().filter(|layer| layer.is_map() || !is_map);
-        let points: Vec<Point> = shown.flat_map(Layer::extent).collect();
+        if points.is_empty() {
+            pad = 0.04;
+            points.extend(self.layers.iter().flat_map(Layer::extent));
+        }
         let x = self.x.resolve(points.iter().map(|p| p[0]), pad)?;
         let y = self.y.resolve(points.iter().map(|p| p[1]), pad)?;
         Ok(Panel { x, y, ..self.clone() })
@@ -98,8 +85,8 @@ impl Panel {
                 false => y = y.range(c + more * height / width, d - more * height / width),
             }
         }
-        let wide = widest(x.clone().with_ticks(8).labels()) + 0.8 * TICK_SIZE * POINT;
         let most = |room: f64| room.floor().clamp(2.0, 8.0) as usize;
+        let wide = widest(x.clone().with_ticks(8).labels()) + 0.8 * TICK_SIZE * POINT;
         let high = 2.4 * TICK_SIZE * POINT;
         (x.with_ticks(most(width / wide)), y.with_ticks(most(height / high)))
     }
@@ -108,8 +95,8 @@ impl Panel {
         text::wrapped(&self.title, TITLE_SIZE, 1.1 * width)
     }
 
-    /// The room that titles and labels need around a plot of the given size.
-    pub(super) fn margins(&self, width: f64, height: f64) -> Rect {
+    /// The room that titles and labels need around a plot of the given size: left, right, above and below.
+    pub(super) fn margins(&self, width: f64, height: f64) -> [f64; 4] {
         let label = |axis: &Axis| match axis.label.is_empty() {
             true => 0.0,
             false => LABEL_GAP + LABEL_SIZE * POINT,
@@ -117,67 +104,61 @@ impl Panel {
         let (x, y) = self.axes(width, height);
         // The numbers at the outermost ticks stick out by up to half.
         let half = 0.5 * widest(x.labels());
-        let numbers = 2.0 * TICK + TICK_SIZE * POINT;
-        Rect {
-            left: (2.0 * TICK + widest(y.labels()) + label(&self.y)).max(half),
-            right: half.max(4.0 * POINT),
-            top: POINT * (4.0 + 1.2 * TITLE_SIZE * self.title_lines(width).len() as f64),
-            bottom: numbers + label(&self.x) + text::DESCENT * LABEL_SIZE * POINT,
-        }
+        [
+            (2.0 * TICK + widest(y.labels()) + label(&y)).max(half),
+            half.max(4.0 * POINT),
+            POINT * (4.0 + 1.2 * TITLE_SIZE * self.title_lines(width).len() as f64),
+            2.0 * TICK + (TICK_SIZE + text::DESCENT * LABEL_SIZE) * POINT + label(&x),
+        ]
     }
 
     /// Draws the panel with its plot in the rectangle; titles and labels stand around it.
     pub(super) fn draw<DB: DrawingBackend>(
         &self,
-        canvas: &DrawingArea<DB, Shift>,
+        page: &DrawingArea<DB, Shift>,
         plot: Rect,
-        margins: Rect,
-    ) -> Drawn {
+        margins: [f64; 4],
+    ) -> Result<(), FigureError> {
         let units = |v: f64| v.round() as i32;
-        let size = (
-            units(margins.left + plot.width() + margins.right),
-            units(margins.top + plot.height() + margins.bottom),
-        );
-        let corner = (units(plot.left - margins.left), units(plot.top - margins.top));
-        let cell = canvas.clone().shrink(corner, size);
+        let [left, right, top, bottom] = margins;
+        let corner = (units(plot.left - left), units(plot.top - top));
+        let size = (units(left + plot.width() + right), units(top + plot.height() + bottom));
         let (x, y) = self.axes(plot.width(), plot.height());
-        let mut chart = ChartBuilder::on(&cell)
-            .margin_top(units(margins.top))
-            .margin_right(units(margins.right))
-            .x_label_area_size(units(margins.bottom))
-            .y_label_area_size(units(margins.left))
-            .build_cartesian_2d(x.clone(), y.clone())
-            .map_err(failed)?;
+        let mut chart = ChartBuilder::on(&page.clone().shrink(corner, size))
+            .margin_top(units(top))
+            .margin_right(units(right))
+            .x_label_area_size(units(bottom))
+            .y_label_area_size(units(left))
+            .build_cartesian_2d(x.clone(), y.clone())?;
         let text = |size| text::style(size, HPos::Center, VPos::Bottom);
+        let frame = pen(Color::BLACK, FRAME_WIDTH);
         chart
             .configure_mesh()
-            .axis_style(Pen::solid(Color::BLACK, FRAME_WIDTH).style())
-            .bold_line_style(Pen::solid(Color(222, 222, 222), 0.4).style())
-            .light_line_style(Pen::solid(Color(238, 238, 238), 0.3).style())
+            .axis_style(frame)
+            .bold_line_style(pen(Color(222, 222, 222), 0.4))
+            .light_line_style(pen(Color(238, 238, 238), 0.3))
             .label_style(text(TICK_SIZE))
             .axis_desc_style(text(LABEL_SIZE))
-            .x_desc(self.x.label.as_str())
-            .y_desc(self.y.label.as_str())
+            .x_desc(x.label.as_str())
+            .y_desc(y.label.as_str())
             .set_all_tick_mark_size(units(TICK))
-            .draw()
-            .map_err(failed)?;
+            .draw()?;
         let (across, down) = chart.plotting_area().get_pixel_range();
         let [left, right, top, bottom] =
             [across.start, across.end - 1, down.start, down.end - 1].map(f64::from);
         let rect = Rect { left, top, right, bottom };
-        paint::layers(canvas, &Frame { rect, x: &x, y: &y }, &self.layers)?;
-        canvas.outline(&rect.corners(), Pen::solid(Color::BLACK, FRAME_WIDTH))?;
+        let mut canvas = Canvas::default();
+        paint::layers(&mut canvas, &Frame { rect, x: &x, y: &y }, &self.layers);
+        canvas.outline(&rect.corners(), frame);
         for (k, line) in self.title_lines(plot.width()).iter().rev().enumerate() {
             let above = top - (0.3 + 1.2 * k as f64) * TITLE_SIZE * POINT;
-            let to = (HPos::Center, VPos::Bottom, FontTransform::None);
-            canvas.write(line, TITLE_SIZE, [0.5 * (left + right), above], to)?;
+            canvas.write(line, TITLE_SIZE, [0.5 * (left + right), above], Way::Above);
         }
-        Ok(())
+        canvas.draw(page)
     }
 }
 
 /// The width of the widest number at a tick.
 pub(super) fn widest(numbers: impl IntoIterator<Item = impl AsRef<str>>) -> f64 {
-    let widths = numbers.into_iter().map(|n| text::width(n.as_ref(), TICK_SIZE * POINT));
-    widths.fold(0.0, f64::max)
+    numbers.into_iter().map(|n| text::width(n.as_ref(), TICK_SIZE)).fold(0.0, f64::max)
 }

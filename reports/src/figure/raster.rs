@@ -1,10 +1,7 @@
 //! Plotters' backend for PNG: tiny-skia draws, antialiased.
 
-use super::{FigureError, text};
-use plotters::style::{
-    FontTransform,
-    text_anchor::{HPos, VPos},
-};
+use super::{FigureError, POINT, text};
+use plotters::style::FontTransform;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
 };
@@ -14,31 +11,29 @@ use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Tr
 
 /// Dots per inch.
 const DPI: f64 = 300.0;
-/// Units of the canvas in an inch.
-const UNITS: f64 = 72.0 * text::POINT;
+/// Dots per unit of the canvas.
+const SCALE: f64 = DPI / (72.0 * POINT);
 
-/// A canvas of pixels, in units of the canvas.
+/// Pixels under a canvas of a size in units.
 pub(super) struct Raster<'a> {
     size: (u32, u32),
     pixels: &'a mut Pixmap,
 }
 
-/// Pixels for a canvas of the given size in units.
-pub(super) fn pixels((width, height): (u32, u32)) -> Result<Pixmap, FigureError> {
-    let dots = |units: u32| (f64::from(units) * DPI / UNITS).round() as u32;
-    let points = |units: u32| f64::from(units) / text::POINT;
-    let too_small = FigureError::TooSmall(points(width), points(height));
-    Pixmap::new(dots(width), dots(height)).ok_or(too_small)
-}
-
-/// The pixels as PNG with its physical size recorded.
-pub(super) fn png(pixels: Pixmap) -> Result<Vec<u8>, FigureError> {
+/// What is drawn on a canvas of the given size in units as PNG, with its physical size recorded.
+pub(super) fn png(
+    size: (u32, u32),
+    draw: impl FnOnce(Raster) -> Result<(), FigureError>,
+) -> Result<Vec<u8>, FigureError> {
+    let [width, height] = [size.0, size.1].map(|units| (f64::from(units) * SCALE).round() as u32);
+    let too_small = FigureError::TooSmall(f64::from(size.0) / POINT, f64::from(size.1) / POINT);
+    let mut pixels = Pixmap::new(width, height).ok_or(too_small)?;
+    draw(Raster { size, pixels: &mut pixels })?;
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    let per_metre = (DPI / 0.0254).round() as u32;
-    let unit = png::Unit::Meter;
+    let (per_metre, unit) = ((DPI / 0.0254).round() as u32, png::Unit::Meter);
     encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit }));
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     encoder.set_filter(png::FilterType::Up);
@@ -56,18 +51,16 @@ pub(super) fn png(pixels: Pixmap) -> Result<Vec<u8>, FigureError> {
     Ok(bytes)
 }
 
-impl Raster<'_> {
-    pub(super) fn new(size: (u32, u32), pixels: &mut Pixmap) -> Raster<'_> {
-        Raster { size, pixels }
-    }
+type Done = Result<(), DrawingErrorKind<Infallible>>;
 
+impl Raster<'_> {
     /// Paints a path, filled or as a line of the given width.
     fn paint(&mut self, path: Option<Path>, color: BackendColor, width: Option<u32>) -> Done {
         let Some(path) = path else { return Ok(()) };
         let (red, green, blue) = color.rgb;
         let mut paint = Paint { anti_alias: true, ..Paint::default() };
         paint.set_color_rgba8(red, green, blue, (255.0 * color.alpha).round() as u8);
-        let scale = Transform::from_scale((DPI / UNITS) as f32, (DPI / UNITS) as f32);
+        let scale = Transform::from_scale(SCALE as f32, SCALE as f32);
         match width.map(|width| width as f32) {
             None => self.pixels.fill_path(&path, &paint, FillRule::Winding, scale, None),
             Some(width) => {
@@ -79,19 +72,14 @@ impl Raster<'_> {
     }
 }
 
-fn path(points: impl IntoIterator<Item = (f32, f32)>) -> Option<Path> {
+fn polyline(points: impl IntoIterator<Item = BackendCoord>) -> Option<Path> {
     let mut path = PathBuilder::new();
     for (x, y) in points {
+        let (x, y) = (x as f32, y as f32);
         if path.is_empty() { path.move_to(x, y) } else { path.line_to(x, y) }
     }
     path.finish()
 }
-
-fn at(p: BackendCoord) -> (f32, f32) {
-    (p.0 as f32, p.1 as f32)
-}
-
-type Done = Result<(), DrawingErrorKind<Infallible>>;
 
 impl DrawingBackend for Raster<'_> {
     type ErrorType = Infallible;
@@ -109,8 +97,7 @@ impl DrawingBackend for Raster<'_> {
     }
 
     fn draw_pixel(&mut self, (x, y): BackendCoord, color: BackendColor) -> Done {
-        let square = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(at);
-        self.paint(path(square), color, None)
+        self.paint(polyline([(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]), color, None)
     }
 
     fn draw_line<S: BackendStyle>(&mut self, a: BackendCoord, b: BackendCoord, style: &S) -> Done {
@@ -122,18 +109,17 @@ impl DrawingBackend for Raster<'_> {
         points: I,
         style: &S,
     ) -> Done {
-        self.paint(path(points.into_iter().map(at)), style.color(), Some(style.stroke_width()))
+        self.paint(polyline(points), style.color(), Some(style.stroke_width()))
     }
 
     fn draw_circle<S: BackendStyle>(
         &mut self,
-        centre: BackendCoord,
+        (x, y): BackendCoord,
         radius: u32,
         style: &S,
         fill: bool,
     ) -> Done {
-        let (x, y) = at(centre);
-        let circle = PathBuilder::from_circle(x, y, radius as f32);
+        let circle = PathBuilder::from_circle(x as f32, y as f32, radius as f32);
         self.paint(circle, style.color(), (!fill).then(|| style.stroke_width()))
     }
 
@@ -142,7 +128,7 @@ impl DrawingBackend for Raster<'_> {
         points: I,
         style: &S,
     ) -> Done {
-        self.paint(path(points.into_iter().map(at)), style.color(), None)
+        self.paint(polyline(points), style.color(), None)
     }
 
     fn draw_text<S: BackendTextStyle>(
@@ -151,36 +137,20 @@ impl DrawingBackend for Raster<'_> {
         style: &S,
         (x, y): BackendCoord,
     ) -> Done {
-        let em = style.size() / text::SIZE_OVER_EM;
         let angle = match style.transform() {
             FontTransform::None => 0.0,
             FontTransform::Rotate270 => FRAC_PI_2,
             FontTransform::Rotate180 => PI,
             FontTransform::Rotate90 => -FRAC_PI_2,
         };
-        let back = text::width(letters, em)
-            * match style.anchor().h_pos {
-                HPos::Left => 0.0,
-                HPos::Center => 0.5,
-                HPos::Right => 1.0,
-            };
-        // Capitals hang from, are centred on and, with their descenders, stand on the place.
-        let down = em
-            * match style.anchor().v_pos {
-                VPos::Top => 0.76,
-                VPos::Center => 0.5 * text::CAP_HEIGHT,
-                VPos::Bottom => -text::DESCENT,
-            };
-        let (sin, cos) = angle.sin_cos();
-        let (x, y) = (f64::from(x), f64::from(y));
-        let origin = [x - back * cos + down * sin, y + back * sin + down * cos];
-        let mut outlines = PathBuilder::new();
-        for ring in text::rings(letters, origin, em, angle) {
-            if let Some(ring) = path(ring.into_iter().map(|p| (p[0] as f32, p[1] as f32))) {
-                outlines.push_path(&ring);
-                outlines.close();
-            }
+        let (em, anchor) = (style.size() / text::SIZE_OVER_EM, style.anchor());
+        let mut path = PathBuilder::new();
+        let anchor = (anchor.h_pos, anchor.v_pos);
+        for ring in text::rings(letters, em, [x.into(), y.into()], anchor, angle) {
+            path.move_to(ring[0][0] as f32, ring[0][1] as f32);
+            ring[1..].iter().for_each(|p| path.line_to(p[0] as f32, p[1] as f32));
+            path.close();
         }
-        self.paint(outlines.finish(), style.color(), None)
+        self.paint(path.finish(), style.color(), None)
     }
 }

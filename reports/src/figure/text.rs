@@ -1,12 +1,10 @@
 //! Letters of the bundled font, DejaVu Sans: their widths and their outlines.
 
-use super::geometry::Point;
-use ab_glyph::{Font, FontRef, GlyphId, OutlineCurve, point};
-use plotters::style::{
-    BLACK, Color as _, IntoFont, TextStyle,
-    text_anchor::{HPos, Pos, VPos},
-};
-use std::sync::LazyLock;
+use super::{Point, geometry::between};
+use ab_glyph::{Font, FontRef, GlyphId, OutlineCurve};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{BLACK, Color, IntoFont, TextStyle};
+use std::{ops::Range, sync::LazyLock};
 
 static FONT: LazyLock<FontRef<'static>> = LazyLock::new(|| {
     FontRef::try_from_slice(include_bytes!("../../fonts/DejaVuSans.ttf"))
@@ -23,6 +21,8 @@ pub(super) const SIZE_OVER_EM: f64 = 1.24;
 pub(super) const CAP_HEIGHT: f64 = 0.729;
 /// Depth of descenders over the em.
 pub(super) const DESCENT: f64 = 0.236;
+/// From the upper end of a text to its baseline over the em, as plotters has it in SVG.
+pub(super) const ASCENT: f64 = 0.76;
 
 fn units_per_em() -> f64 {
     f64::from(FONT.units_per_em().expect("the bundled font states its units"))
@@ -41,44 +41,55 @@ fn shaped(text: &str) -> (Vec<(GlyphId, f64)>, f64) {
     (letters, x)
 }
 
-/// The width of a text, in the unit of `size`.
+/// The width of a text of `size` points.
 pub(super) fn width(text: &str, size: f64) -> f64 {
-    shaped(text).1 * size
+    shaped(text).1 * size * POINT
 }
 
-/// The letters of a text as closed rings: its baseline begins at `origin` and runs at `angle` (radians,
+/// The outlines of a text as closed rings: it is anchored as plotters does it and runs at `angle` (radians,
 /// counterclockwise on the page); `em` in units of the page.
-pub(super) fn rings(text: &str, origin: Point, em: f64, angle: f64) -> Vec<Vec<Point>> {
+pub(super) fn rings(
+    text: &str,
+    em: f64,
+    [x, y]: Point,
+    (h, v): (HPos, VPos),
+    angle: f64,
+) -> Vec<Vec<Point>> {
+    let (letters, length) = shaped(text);
+    let back = match h {
+        HPos::Left => 0.0,
+        HPos::Center => 0.5 * length,
+        HPos::Right => length,
+    };
+    // Capitals hang from, are centred on and, with their descenders, stand on the place.
+    let down = match v {
+        VPos::Top => ASCENT,
+        VPos::Center => 0.5 * CAP_HEIGHT,
+        VPos::Bottom => -DESCENT,
+    };
     let (sin, cos) = angle.sin_cos();
     let mut rings: Vec<Vec<Point>> = Vec::new();
-    for (id, start) in shaped(text).0 {
+    for (id, start) in letters {
         let place = |p: ab_glyph::Point| {
-            let [x, y] = [p.x, p.y].map(|v| em * f64::from(v) / units_per_em());
-            let x = x + em * start;
-            [origin[0] + x * cos - y * sin, origin[1] - x * sin - y * cos]
+            let [along, up] = [p.x, p.y].map(|v| f64::from(v) / units_per_em());
+            let (along, up) = (em * (along + start - back), em * (up - down));
+            [x + along * cos - up * sin, y - along * sin - up * cos]
         };
         let mut end = None;
         for curve in FONT.outline(id).map(|outline| outline.curves).unwrap_or_default() {
-            let controls = match curve {
-                OutlineCurve::Line(a, b) => vec![a, b],
-                OutlineCurve::Quad(a, c, b) => vec![a, c, b],
-                OutlineCurve::Cubic(a, c, d, b) => vec![a, c, d, b],
+            let (from, control, to, parts) = match curve {
+                OutlineCurve::Line(a, b) => (a, a, b, 1),
+                OutlineCurve::Quad(a, c, b) => (a, c, b, 4),
+                OutlineCurve::Cubic(..) => unreachable!("curves of TrueType are quadratic"),
             };
-            if end != Some(controls[0]) {
-                rings.push(vec![place(controls[0])]);
+            if end != Some(from) {
+                rings.push(vec![place(from)]);
             }
-            let parts: &[f32] = if controls.len() == 2 { &[1.0] } else { &[0.25, 0.5, 0.75, 1.0] };
-            for t in parts {
-                let mut points = controls.clone();
-                while points.len() > 1 {
-                    let part = |a: f32, b: f32| a + t * (b - a);
-                    let pair =
-                        |w: &[ab_glyph::Point]| point(part(w[0].x, w[1].x), part(w[0].y, w[1].y));
-                    points = points.windows(2).map(pair).collect();
-                }
-                rings.last_mut().expect("a ring was begun").push(place(points[0]));
-            }
-            end = controls.last().copied();
+            let ring = rings.last_mut().expect("a ring was begun");
+            let [a, c, b] = [from, control, to].map(place);
+            let parts = (1..=parts).map(|k| f64::from(k) / f64::from(parts));
+            ring.extend(parts.map(|t| between(between(a, c, t), between(c, b, t), t)));
+            end = Some(to);
         }
     }
     rings
@@ -90,25 +101,32 @@ pub(super) fn style(size: f64, h: HPos, v: VPos) -> TextStyle<'static> {
     TextStyle { color: BLACK.to_backend_color(), font, pos: Pos::new(h, v) }
 }
 
-/// A text of `size` points broken at spaces into as few lines no longer than `length` as can be, about equally long.
-pub(super) fn wrapped(text: &str, size: f64, length: f64) -> Vec<String> {
-    let width = |text: &str| width(text, size * POINT);
+/// Things of these widths in as few lines no longer than `length` as can be, about equally long.
+pub(super) fn lines(widths: &[f64], length: f64) -> Vec<Range<usize>> {
     let broken = |length: f64| {
-        let mut lines: Vec<String> = Vec::new();
-        for word in text.split(' ').filter(|word| !word.is_empty()) {
+        let mut lines: Vec<Range<usize>> = Vec::new();
+        for k in 0..widths.len() {
             match lines.last_mut() {
-                Some(line) if width(&format!("{line} {word}")) <= length => {
-                    *line += &format!(" {word}")
+                Some(line) if widths[line.start..=k].iter().sum::<f64>() <= length => {
+                    line.end = k + 1
                 }
-                _ => lines.push(word.into()),
+                _ => lines.push(k..k + 1),
             }
         }
         lines
     };
     let fewest = broken(length);
-    let even = width(text) / fewest.len().max(1) as f64;
-    let mut lengths = (0..20).map(|k| even + (length - even) * f64::from(k) / 20.0).map(broken);
-    lengths.find(|lines| lines.len() <= fewest.len()).unwrap_or(fewest)
+    let even = widths.iter().sum::<f64>() / fewest.len().max(1) as f64;
+    let mut tried = (0..20).map(|k| broken(even + (length - even) * f64::from(k) / 20.0));
+    tried.find(|lines| lines.len() <= fewest.len()).unwrap_or(fewest)
+}
+
+/// A text of `size` points broken at spaces.
+pub(super) fn wrapped(text: &str, size: f64, length: f64) -> Vec<String> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let space = width(" ", size);
+    let widths: Vec<f64> = words.iter().map(|word| width(word, size) + space).collect();
+    lines(&widths, length + space).into_iter().map(|line| words[line].join(" ")).collect()
 }
 
 #[cfg(test)]
@@ -125,9 +143,9 @@ mod tests {
 
     #[test]
     fn letters_have_their_height_and_width() {
-        let rings = rings("H", [0.0, 0.0], 1.0, 0.0);
+        let rings = rings("H", 1.0, [0.0, -DESCENT], (HPos::Left, VPos::Bottom), 0.0);
         let top = rings.iter().flatten().map(|p| -p[1]).fold(0.0, f64::max);
-        assert!((top - CAP_HEIGHT).abs() < 0.01, "{top}");
+        assert!((top - 2.0 * DESCENT - CAP_HEIGHT).abs() < 0.01, "{top}");
         // Digits share one width and no kerning, so that numbers align.
         assert!((width("0000", 10.0) - 4.0 * width("8", 10.0)).abs() < 1e-9);
     }
@@ -137,8 +155,11 @@ mod tests {
         let long = "of the most damped wave where stable, of the fastest growing one where not";
         let lines = wrapped(long, 9.0, 200.0 * POINT);
         assert_eq!(lines.len(), 2);
-        assert!(lines.iter().all(|l| width(l, 9.0) <= 200.0));
+        assert!(lines.iter().all(|line| width(line, 9.0) <= 200.0 * POINT));
         assert_eq!(lines.join(" "), long);
         assert!(wrapped("", 9.0, 10.0).is_empty());
+        // A line holds at least one thing, however short it is.
+        assert_eq!(super::lines(&[2.0, 1.0, 1.0], 0.5), [0..1, 1..2, 2..3]);
+        assert_eq!(super::lines(&[1.0; 5], 4.0), [0..3, 3..5]);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::plan::ByDetail;
 use super::tubes::{Tubes, density_error, error_or_failure, method};
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::{PaperText, csv};
@@ -142,7 +142,7 @@ fn by_particles(
                 let first = series[0].0;
                 let guide = [(first, 0.5 * error * n / first), (n, 0.5 * error)];
                 panel = panel
-                    .layer(Line::new(guide).color(Color::GREY).width(0.7).label("first order"));
+                    .layer(Series::line(guide).color(Color::GREY).width(0.7).label("first order"));
             }
             panel = tubes.curve(panel, index, series);
             panel = failures(panel, index, failed.into_iter());
@@ -198,10 +198,7 @@ fn by_work(text: &PaperText, tubes: &Tubes, points: &[Point]) -> Vec<Item> {
 }
 
 fn figure(tubes: &Tubes) -> Figure {
-    Figure::grid(tubes.tests.len().div_ceil(2), 2)
-        .size(7.0, 6.0)
-        .title(&tubes.settings)
-        .legend_below()
+    Figure::grid(tubes.tests.len().div_ceil(2), 2).size(7.0, 6.0).title(&tubes.settings)
 }
 
 /// Runs of one of the methods that failed: they have a cost, but no error, and stand at the foot of the panel.
@@ -210,7 +207,7 @@ fn failures(panel: Panel, index: usize, at: impl Iterator<Item = f64>) -> Panel 
     match marks.is_empty() {
         true => panel,
         false => {
-            let marks = Markers::new(marks, Marker::Cross).color(Color::qualitative(index));
+            let marks = Series::markers(marks, Marker::Cross).color(Color::qualitative(index));
             panel.layer(marks.size(5.0).label("run failed: no error, drawn at the foot"))
         }
     }

@@ -4,7 +4,7 @@ use super::plan::{ByDetail, Named};
 use super::riemann_run::sound_growth;
 use super::tubes::{Tubes, density_error, error_or_failure, method, tube};
 use crate::cells;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::{PaperText, csv, or_dash};
@@ -60,7 +60,7 @@ impl Case<'_> {
 }
 
 /// All runs of a case.
-struct Series<'a> {
+struct Curve<'a> {
     of: Case<'a>,
     /// Courant numbers with errors.
     points: Vec<(f64, Result<f64, Failure>)>,
@@ -68,7 +68,7 @@ struct Series<'a> {
     threshold: Option<(f64, f64, Failure)>,
 }
 
-impl<'a> Series<'a> {
+impl<'a> Curve<'a> {
     fn new(of: Case<'a>, grid: &[f64]) -> Self {
         let points: Vec<_> = grid.iter().map(|&cfl| (cfl, of.run(cfl))).collect();
         let first = points.iter().position(|(_, result)| result.is_err());
@@ -115,17 +115,15 @@ pub fn items(text: &PaperText, tubes: &Tubes, detail: Detail) -> Vec<Item> {
         [StepRule::Current, StepRule::Initial].map(|step| Case { tubes, test, method, step })
     });
     let cases: Vec<Case<'_>> = cases.collect();
-    let series: Vec<Series<'_>> =
-        cases.into_par_iter().map(|case| Series::new(case, &grid)).collect();
-    let rows = series.iter().map(|one| row(&plan, one));
-    vec![figure(text, tubes, &plan, &series), text.table(&tubes.item("courant_limits"), &[], rows)]
+    let curves: Vec<Curve<'_>> =
+        cases.into_par_iter().map(|case| Curve::new(case, &grid)).collect();
+    let rows = curves.iter().map(|one| row(&plan, one));
+    vec![figure(text, tubes, &plan, &curves), text.table(&tubes.item("courant_limits"), &[], rows)]
 }
 
-fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, series: &[Series<'_>]) -> Item {
-    let mut figure = Figure::grid(tubes.tests.len().div_ceil(2), 2)
-        .size(7.0, 6.0)
-        .title(&plan.settings)
-        .legend_below();
+fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, curves: &[Curve<'_>]) -> Item {
+    let mut figure =
+        Figure::grid(tubes.tests.len().div_ceil(2), 2).size(7.0, 6.0).title(&plan.settings);
     let mut lines = Vec::new();
     let [stable, monotone] = [&plan.stable.0, &plan.monotone.0];
     for (test, (test_name, _)) in tubes.tests.iter().enumerate() {
@@ -135,17 +133,17 @@ fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, series: &[Series<'_>]) -
         )
         .title(tubes.panel_title(test))
         .layer(
-            Line::vertical(to_f64(monotone))
+            Series::vertical(to_f64(monotone))
                 .dash(Dash::Dashed)
                 .label(format!("monotone up to {monotone}")),
         )
         .layer(
-            Line::vertical(to_f64(stable))
+            Series::vertical(to_f64(stable))
                 .color(Color::BLACK)
                 .dash(Dash::Dashed)
                 .label(format!("stable up to {stable}")),
         );
-        let of_test = series.iter().filter(|one| one.of.test == test);
+        let of_test = curves.iter().filter(|one| one.of.test == test);
         for one in of_test.clone() {
             let name = &tubes.methods[one.of.method];
             for (cfl, result) in &one.points {
@@ -160,7 +158,7 @@ fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, series: &[Series<'_>]) -
             panel = tubes.curve(panel, one.of.method, ended);
             if let (Some((_, high, _)), Some((_, error))) = (&one.threshold, last) {
                 panel = panel.layer(
-                    Markers::new([(*high, error)], Marker::Cross)
+                    Series::markers([(*high, error)], Marker::Cross)
                         .size(6.0)
                         .width(1.4)
                         .label("fails from here on"),
@@ -174,7 +172,7 @@ fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, series: &[Series<'_>]) -
     text.figure(&name, &[], figure, vec![(format!("{name}.csv"), data)])
 }
 
-fn row(plan: &Plan, one: &Series<'_>) -> Vec<String> {
+fn row(plan: &Plan, one: &Curve<'_>) -> Vec<String> {
     let Case { tubes, test, method, step } = one.of;
     let stable = to_f64(&plan.stable.0);
     let (rule, limit) = match step {

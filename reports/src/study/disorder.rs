@@ -1,7 +1,7 @@
 //! How far the lattice theory carries when the particles are not on a lattice.
 
 use super::plan::{ByDetail, Case, letter};
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::paper_text::{PaperText, csv};
@@ -144,7 +144,7 @@ fn figure(plan: &Plan, by_scheme: &[&[Study]]) -> Figure {
     let rows: [(Vec<Vec<Curve>>, Vec<String>); 2] =
         [(steps, phases.collect()), (runs, courant_numbers.collect())];
     let widest = plan.disorders.iter().copied().fold(0.0, f64::max);
-    let mut figure = Figure::grid(2, columns).size(7.2, 6.2).legend_below();
+    let mut figure = Figure::grid(2, columns).size(7.2, 6.2);
     for (row, (curves, names)) in rows.iter().enumerate() {
         // The panels of a row are to be compared: one scale, from the bars of both.
         let ends = || curves.iter().flatten().flatten().flat_map(|point| point.2);
@@ -159,7 +159,7 @@ fn figure(plan: &Plan, by_scheme: &[&[Study]]) -> Figure {
             };
             let x = Axis::linear("largest displacement / Δξ").range(-0.05 * widest, 1.05 * widest);
             let y = Axis::linear(label).range(low - room, high + room);
-            let mut panel = Panel::new(x, y).title(title).layer(Line::horizontal(0.0));
+            let mut panel = Panel::new(x, y).title(title).layer(Series::horizontal(0.0));
             for (k, (curve, name)) in curves.iter().zip(names).enumerate() {
                 // No look twice in a figure with one legend.
                 panel = with_spread(panel, k, k + row * plan.modes.len(), curve, name);
@@ -176,10 +176,10 @@ fn with_spread(panel: Panel, k: usize, look: usize, curve: &Curve, name: &str) -
     let color = Color::qualitative(look);
     let means = || curve.iter().map(|&(at, mean, _)| (at, mean));
     let bar = |&(at, _, [low, high]): &Point| [(at, low), (at, high), (f64::NAN, f64::NAN)];
-    let markers = Markers::new(means(), Marker::nth(look)).color(color).open();
+    let markers = Series::markers(means(), Marker::nth(look)).color(color).open();
     panel
-        .layer(Line::new(means()).color(color))
-        .layer(Line::new(curve.iter().flat_map(bar)).color(color).width(0.8))
+        .layer(Series::line(means()).color(color))
+        .layer(Series::line(curve.iter().flat_map(bar)).color(color).width(0.8))
         .layer(markers.size(7.5 - 1.5 * k as f64).label(name))
 }
 

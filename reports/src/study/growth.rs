@@ -1,7 +1,7 @@
 //! What runs do at given Courant numbers, such as printed limits, step by step.
 
 use super::plan::letter;
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Section;
 use crate::paper_text::{PaperText, csv};
@@ -107,7 +107,7 @@ fn row(Run { of, growth, .. }: &Run) -> Vec<String> {
 }
 
 fn figure(runs: &[Run], kernels: &[Kernel]) -> Figure {
-    let mut figure = Figure::grid(1, kernels.len()).size(7.2, 3.7).legend_below();
+    let mut figure = Figure::grid(1, kernels.len()).size(7.2, 3.7);
     for (index, kernel) in kernels.iter().enumerate() {
         let mut panel = Panel::new(
             // Growth at a constant rate is a line of slope one; both kernels on the same scale.
@@ -127,13 +127,13 @@ fn figure(runs: &[Run], kernels: &[Kernel]) -> Figure {
             let slope = run.growth.predicted_gain.log10();
             panel = panel
                 .layer(
-                    Line::new([1.0, 2.0 * STEPS as f64].map(|steps| (steps, slope * steps)))
+                    Series::line([1.0, 2.0 * STEPS as f64].map(|steps| (steps, slope * steps)))
                         .color(color)
                         .width(0.9)
                         .label(&label),
                 )
                 .layer(
-                    Markers::new(run.history.iter().copied(), Marker::nth(k))
+                    Series::markers(run.history.iter().copied(), Marker::nth(k))
                         .color(color)
                         .fill(Color::WHITE)
                         .size(3.4)

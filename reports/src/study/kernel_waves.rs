@@ -2,7 +2,7 @@
 
 use super::plan::{Named, lattice, letter, phases};
 use crate::cells;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Panel, Series};
 use crate::page::Item;
 use crate::paper_text::{PaperText, csv};
 use crate::report::ReportError;
@@ -75,13 +75,13 @@ fn equal_width_ratio(kernel: Kernel, of_spline: &Rational) -> Rational {
 pub fn item(text: &PaperText) -> Result<Item, ReportError> {
     let plan: Plan = text.plan("kernel_waves");
     let phases = phases(240);
-    let mut figure = Figure::grid(plan.panels.len().div_ceil(2), 2).size(7.4, 6.2).legend_below();
+    let mut figure = Figure::grid(plan.panels.len().div_ceil(2), 2).size(7.4, 6.2);
     let mut lines = Vec::new();
     for (place, PanelPlan { title, method, shown }) in plan.panels.iter().enumerate() {
         let mut panel = Panel::new(wave_number_axis().range(0.0, PI), shown.axis())
             .title(format!("{}{title}", letter(place)));
         if *shown == Shown::Speed {
-            panel = panel.layer(Line::horizontal(1.0).width(0.7));
+            panel = panel.layer(Series::horizontal(1.0).width(0.7));
         }
         for (index, kernel) in Kernel::ALL.into_iter().enumerate() {
             let at = equal_width_ratio(kernel, &plan.ratio.0);
@@ -93,7 +93,7 @@ pub fn item(text: &PaperText) -> Result<Item, ReportError> {
             for (phase, value) in &points {
                 lines.push(cells![method, shown.name(), kernel.name(), to_text(&at), phase, value]);
             }
-            let line = Line::new(points)
+            let line = Series::line(points)
                 .color(Color::qualitative(index))
                 .width(1.2)
                 .dash(Dash::nth(index % 4))

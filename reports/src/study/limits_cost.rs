@@ -2,7 +2,7 @@
 
 use super::plan::{ByDetail, Case, Named, discretisation, letter};
 use crate::cells;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::{PaperText, csv};
@@ -65,7 +65,7 @@ fn cost_figure(text: &PaperText, plan: &Plan) -> Item {
     }
     let header = "scheme,ratio,method,size,relative_error,work,seconds";
     let data = vec![("limits_cost.csv".into(), csv(header, lines))];
-    text.figure("limits_cost", &[], figure.legend_below(), data)
+    text.figure("limits_cost", &[], figure, data)
 }
 
 fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
@@ -74,7 +74,7 @@ fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
         Axis::log("relative error of the limit").range(0.2 * ERROR_FLOOR, 1.0),
     )
     .title(title)
-    .layer(Line::horizontal(ERROR_FLOOR).dash(Dash::Dashed).label("no error that an f64 shows"));
+    .layer(Series::horizontal(ERROR_FLOOR).dash(Dash::Dashed).label("no error that an f64 shows"));
     for (name, color, marker) in [
         ("sampled", Color::VERMILION, Marker::Circle),
         ("refined", Color::ORANGE, Marker::Square),
@@ -86,8 +86,8 @@ fn cost_panel(rows: &[AccuracyRow], title: &str) -> Panel {
             .map(|row| (row.work as f64, row.relative_error.max(ERROR_FLOOR)))
             .collect();
         panel = panel
-            .layer(Line::new(points.clone()).color(color).width(0.7).label(name))
-            .layer(Markers::new(points, marker).color(color).size(4.0).label(name));
+            .layer(Series::line(points.clone()).color(color).width(0.7).label(name))
+            .layer(Series::markers(points, marker).color(color).size(4.0).label(name));
     }
     panel
 }

@@ -2,7 +2,7 @@
 
 use super::plan::{ByDetail, Named, discretisation};
 use crate::advection_validation::{Settings, ValidatedCase, ValidationCase, run_cases};
-use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Section;
 use crate::paper_text::{PaperText, csv};
@@ -100,23 +100,23 @@ fn figure(plan: &Plan, cases: &[&ValidatedCase]) -> Figure {
         cases.iter().filter(move |case| case.case.plan.discretisation.scheme() == scheme)
     };
     let schemes: Vec<AdvectionScheme> = plan.schemes.iter().map(|scheme| scheme.0).collect();
-    let mut figure = Figure::grid(2, schemes.len()).size(7.4, 5.2).legend_below();
+    let mut figure = Figure::grid(2, schemes.len()).size(7.4, 5.2);
     for &scheme in &schemes {
         let mut panel = Panel::new(phase_axis(), Axis::linear("|g|").range(0.0, 1.8))
             .title(scheme.title())
-            .layer(Line::horizontal(1.0));
+            .layer(Series::horizontal(1.0));
         for (k, case) in of(scheme).enumerate() {
             let color = Color::qualitative(k);
             let rows = &case.validation.rows;
             panel = panel
                 .layer(
-                    Line::new(rows.iter().map(|row| (row.phase, row.predicted.norm())))
+                    Series::line(rows.iter().map(|row| (row.phase, row.predicted.norm())))
                         .color(color)
                         .dash(Dash::nth(k))
                         .label(&plan.regimes[k]),
                 )
                 .layer(
-                    Markers::new(
+                    Series::markers(
                         rows.iter().step_by(4).map(|row| (row.phase, row.measured.norm())),
                         Marker::nth(k),
                     )
@@ -132,12 +132,12 @@ fn figure(plan: &Plan, cases: &[&ValidatedCase]) -> Figure {
         let allowed = of(scheme).map(|case| case.validation.tolerance).fold(0.0, f64::max);
         let mut panel =
             Panel::new(phase_axis(), Axis::log("|measured − predicted|").range(1e-18, 1e-12))
-                .layer(Line::horizontal(allowed).dash(Dash::Dashed).label("allowed"));
+                .layer(Series::horizontal(allowed).dash(Dash::Dashed).label("allowed"));
         for (k, case) in of(scheme).enumerate() {
             // An exact agreement has no place on a logarithmic axis.
             let points = case.validation.rows.iter().filter(|row| row.error > 0.0);
             panel = panel.layer(
-                Markers::new(points.map(|row| (row.phase, row.error)), Marker::nth(k))
+                Series::markers(points.map(|row| (row.phase, row.error)), Marker::nth(k))
                     .color(Color::qualitative(k))
                     .size(2.2),
             );

@@ -2,7 +2,7 @@
 
 use super::plan::letter;
 use super::riemann_run::{RiemannRun, compare};
-use crate::figure::{Color, Line, Marker, Markers, Panel};
+use crate::figure::{Color, Marker, Panel, Series};
 use courant_simulation::method::Method;
 use courant_simulation::run::{Failure, Run};
 use courant_simulation::scene::Scene;
@@ -79,13 +79,15 @@ impl Tubes {
         }
         let title = method(&self.methods[index]).title();
         let color = Color::qualitative(index);
-        panel.layer(Line::new(points.iter().copied()).color(color).width(0.9).label(title)).layer(
-            Markers::new(points, Marker::nth(index))
-                .color(color)
-                .fill(Color::WHITE)
-                .size(3.6)
-                .label(title),
-        )
+        panel
+            .layer(Series::line(points.iter().copied()).color(color).width(0.9).label(title))
+            .layer(
+                Series::markers(points, Marker::nth(index))
+                    .color(color)
+                    .fill(Color::WHITE)
+                    .size(3.6)
+                    .label(title),
+            )
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{paper_lattice, text, usual_ratio};
 use crate::cha_whitworth2003::published::PublishedWaves;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::csv;
@@ -85,7 +85,7 @@ fn figure() -> Result<Item, ReportError> {
         let label = format!("{}, h/Δ = {}", form, significant(to_f64(&at), 2));
         let color = if form == PUBLISHED { Color::VERMILION } else { Color::BLUE };
         let line = |points: Vec<(f64, f64)>| {
-            Line::new(points)
+            Series::line(points)
                 .color(color)
                 .width(1.4)
                 .dash(Dash::nth(index % 2))
@@ -108,7 +108,7 @@ fn figure() -> Result<Item, ReportError> {
                 .collect(),
         ));
     }
-    let figure = Figure::grid(1, 2).size(7.6, 3.5).panel(speed).panel(damping).legend_below();
+    let figure = Figure::grid(1, 2).size(7.6, 3.5).panel(speed).panel(damping);
     let usual = waves(RESOLVED, false)?;
     let largest = phases
         .iter()

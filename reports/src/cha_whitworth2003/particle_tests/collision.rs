@@ -2,7 +2,7 @@
 
 use super::runs::{Plan, Runs, Solved, scene};
 use super::text;
-use crate::figure::{Axis, Color, Figure, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::page::Item;
 use crate::particle_profile::{Quantity, exact_line, profile_csv};
 use crate::{cells, words};
@@ -51,7 +51,7 @@ pub(super) fn figure(runs: &Runs) -> Item {
                 let shown = range.filter(|&i| run.profile.x[i].abs() <= HALF_WIDTH);
                 let points = shown.map(|i| (run.profile.x[i], run.profile.density[i]));
                 panel = panel.layer(
-                    Markers::new(points, marker)
+                    Series::markers(points, marker)
                         .color(color)
                         .open()
                         .size(2.8)
@@ -67,7 +67,7 @@ pub(super) fn figure(runs: &Runs) -> Item {
     let gph = runs.get(SCENES[0].0, ParticleMethod::Gph3);
     let words =
         words!["particles" = gph.run.profile.len(), "settings" = Solved::settings(&gph.options),];
-    let figure = Figure::grid(2, 2).size(7.4, 5.4).panels(panels).legend_below();
+    let figure = Figure::grid(2, 2).size(7.4, 5.4).panels(panels);
     text().figure("figure_27", words, figure, data)
 }
 

@@ -2,7 +2,7 @@
 
 use super::runs::{Plan, Runs, every_method, scene};
 use super::text;
-use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Dash, Figure, Marker, Panel, Series};
 use crate::number::significant;
 use crate::page::Item;
 use crate::report::Detail;
@@ -53,9 +53,9 @@ pub(super) fn items(runs: &Runs, detail: Detail) -> [Item; 2] {
         }
         let (color, label) = (Color::qualitative(i), method.title());
         panel = panel
-            .layer(Line::new(curve.clone()).color(color).dash(Dash::nth(i)).label(label))
+            .layer(Series::line(curve.clone()).color(color).dash(Dash::nth(i)).label(label))
             .layer(
-                Markers::new(curve, Marker::nth(i))
+                Series::markers(curve, Marker::nth(i))
                     .color(color)
                     .fill(Color::WHITE)
                     .size(4.2)
@@ -63,7 +63,7 @@ pub(super) fn items(runs: &Runs, detail: Detail) -> [Item; 2] {
             );
     }
     let words = words!["scene" = SCENE, "least" = numbers[0], "most" = numbers[numbers.len() - 1],];
-    let figure = Figure::single(panel).size(5.2, 3.8).legend_below();
+    let figure = Figure::single(panel).size(5.2, 3.8);
     [
         text().figure("particle_efficiency", words, figure, Vec::new()),
         text().table("particle_efficiency_table", words!["scene" = SCENE], rows),

@@ -2,7 +2,7 @@
 
 use super::runs::{EARLY, Runs, Solved};
 use super::text;
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::page::Item;
 use crate::particle_profile::{Quantity, exact_line, profile_csv};
 use crate::words;
@@ -36,7 +36,7 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
             };
             let points = run.profile.x.iter().copied().zip(values.iter().copied());
             panel = panel.layer(
-                Markers::new(points, marker)
+                Series::markers(points, marker)
                     .color(color)
                     .open()
                     .size(2.3)
@@ -44,7 +44,7 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
                     .label(format!("particles, t = {}", run.time)),
             );
             let exact = exact_line(scene, quantity, run.time);
-            panel = panel.layer(Line::width(exact, 0.7));
+            panel = panel.layer(Series::width(exact, 0.7));
         }
         panel
     });
@@ -73,8 +73,7 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
     let figure = Figure::grid(2, 1)
         .size(5.6, 5.7)
         .title(format!("Isothermal sound wave, {}", method.title()))
-        .panels(panels)
-        .legend_below();
+        .panels(panels);
     text().figure(&name, words!["caption" = caption], figure, data.collect())
 }
 

@@ -1,7 +1,5 @@
 use super::*;
-use crate::figure::{
-    Axis, Bands, Color, Field, FilledContours, Isolines, Line, Marker, Markers, Note,
-};
+use crate::figure::{Axis, Bands, Field, FilledContours, Isolines, Marker, Note, Series};
 use ndarray::Array2;
 
 fn map(n: usize, f: fn(f64, f64) -> f64, colors: Vec<Color>) -> (Panel, ColorBar) {
@@ -24,9 +22,9 @@ fn hills(x: f64, y: f64) -> f64 {
 fn rich() -> Figure {
     let lines = Panel::new(Axis::log("κ h"), Axis::log("|g| − 1"))
         .title("(b) lines")
-        .layer(Line::new([(0.01, 1e-9), (0.1, f64::NAN), (1.0, 1.0)]).label("run"))
-        .layers((0..6).map(|k| Markers::new([(0.1, 0.1)], Marker::nth(k)).label("run")))
-        .layer(Line::vertical(0.5).label("limit"))
+        .layer(Series::line([(0.01, 1e-9), (0.1, f64::NAN), (1.0, 1.0)]).label("run"))
+        .layers((0..6).map(|k| Series::markers([(0.1, 0.1)], Marker::nth(k)).label("run")))
+        .layer(Series::vertical(0.5).label("limit"))
         .layer(Note::new(0.05, 1e-5, "φ = π"));
     let four = vec![Color::BLUE, Color::SKY, Color::ORANGE, Color::VERMILION];
     let (panel, bar) = map(40, hills, four);
@@ -35,7 +33,6 @@ fn rich() -> Figure {
         .title("A title that is so long that it takes more than a single line where the page is narrow as here")
         .panel(panel.title("(a) map"))
         .panel(lines)
-        .legend_below()
         .color_bar(bar.clone())
         .color_bar(bar)
 }
@@ -93,35 +90,31 @@ fn bands_leave_no_seam_and_what_is_below_them_stays_blank() {
 /// The boxes of the texts of an SVG, as the font sets them.
 fn boxes(svg: &str) -> Vec<(String, Rect)> {
     let text = |element: &str| {
+        let (attributes, letters) = element.split_once('>')?;
         let value = |name: &str| {
-            let start = element.find(name).expect("the attribute is there") + name.len();
-            &element[start..start + element[start..].find('"').expect("it ends")]
+            let from = attributes.split_once(&format!(" {name}=\"")).expect("it is there").1;
+            from.split_once('"').expect("it ends").0
         };
         let number = |name: &str| value(name).parse::<f64>().expect("a number");
-        let letters = element[element.find('>')? + 1..].trim().to_string();
-        let (x, y, size) = (number(" x=\""), number(" y=\""), number("font-size=\""));
-        let (wide, high) = (text::width(&letters, size), text::CAP_HEIGHT * size);
-        let back = wide
-            * ["start", "middle"]
-                .iter()
-                .position(|a| *a == value("text-anchor=\""))
-                .map_or(1.0, |k| 0.5 * k as f64);
-        let drop = match value("dy=\"") {
+        let (x, y, size) = (number("x"), number("y"), number("font-size"));
+        let letters = letters.trim();
+        let (wide, high) = (text::width(letters, size / POINT), text::CAP_HEIGHT * size);
+        let back = match value("text-anchor") {
+            "start" => 0.0,
+            "middle" => 0.5 * wide,
+            _ => wide,
+        };
+        let drop = match value("dy") {
             "0.76em" => 0.76 * size,
             "0.5ex" => 0.5 * 0.547 * size,
             _ => -0.5 * 0.547 * size,
         };
-        let (left, bottom) = (x - back, y + drop);
-        let rect = match element.contains("rotate(270") {
-            false => Rect { left, top: bottom - high, right: left + wide, bottom },
-            true => Rect {
-                left: x + drop - high,
-                top: y + back - wide,
-                right: x + drop,
-                bottom: y + back,
-            },
+        let rect = match attributes.contains("rotate(270") {
+            false => [x - back, y + drop - high, x - back + wide, y + drop],
+            true => [x + drop - high, y + back - wide, x + drop, y + back],
         };
-        (wide > 0.0).then_some((letters, rect))
+        let [left, top, right, bottom] = rect;
+        (wide > 0.0).then(|| (letters.to_string(), Rect { left, top, right, bottom }))
     };
     svg.split("<text").skip(1).filter_map(|e| text(e.split("</text>").next()?)).collect()
 }

@@ -3,7 +3,7 @@
 mod recommendation;
 
 use super::plan::{ByDetail, Named, discretisation, letter};
-use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
+use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::page::{Item, Section};
 use crate::paper_text::{PaperText, csv};
 use crate::report::Detail;
@@ -231,7 +231,7 @@ const OUTSIDE: &str = "error above 1, drawn at the top";
 
 fn figure(test: &Test<'_>) -> Figure {
     let among = &test.plan.among;
-    let mut figure = Figure::grid(1, among.len()).size(7.4, 4.2).legend_below();
+    let mut figure = Figure::grid(1, among.len()).size(7.4, 4.2);
     // Runs with larger errors than the data themselves have no place in the picture.
     let errors = test.points.iter().map(|point| point.run.comparison.l1);
     let lowest = 0.5 * errors.fold(1.0, f64::min);
@@ -264,10 +264,12 @@ fn figure(test: &Test<'_>) -> Figure {
                 false => format!("{}, cheapest of all", scheme.title()),
             };
             panel = panel
-                .layer(Markers::new(inside, Marker::Circle).color(faint).size(1.5).width(0.2))
-                .layer(Markers::new(outside, Marker::Cross).color(faint).size(3.0).label(OUTSIDE))
-                .layer(Line::new(own).color(color).width(1.3).label(scheme.title()))
-                .layer(Markers::new(wins, Marker::Circle).color(color).size(4.6).label(name));
+                .layer(Series::markers(inside, Marker::Circle).color(faint).size(1.5).width(0.2))
+                .layer(
+                    Series::markers(outside, Marker::Cross).color(faint).size(3.0).label(OUTSIDE),
+                )
+                .layer(Series::line(own).color(color).width(1.3).label(scheme.title()))
+                .layer(Series::markers(wins, Marker::Circle).color(color).size(4.6).label(name));
         }
         figure = figure.panel(panel);
     }
