@@ -14,7 +14,7 @@ use courant::reports::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRe
 use courant::reports::table::{Align, Table};
 use courant::simulation::field::{FieldRun, FieldScene, run_field};
 use courant::simulation::lattice::Lattice;
-use courant::simulation::particles::{ActsOn, MethodOptions, StepSharing};
+use courant::simulation::particles::{ActsOn, MethodOptions};
 use courant::simulation::run::InvalidOptions;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -31,7 +31,7 @@ pub struct Options {
     /// Two and three dimensions, sph1 and sph2: what tells shear from compression in the viscosity (default: none).
     #[arg(long, value_enum)]
     switch: Option<SwitchName>,
-    /// Two and three dimensions: steps in blocks, halved at most N times (default: one step for everybody; needs centred-euler).
+    /// Two and three dimensions: steps in blocks, halved at most N times (default: one step for everybody), by leapfrog-kdk.
     #[arg(long, value_name = "N", value_parser = levels)]
     levels: Option<usize>,
 }
@@ -117,7 +117,10 @@ impl Plan {
             options.viscosity.acts_on = ActsOn::Compressing;
         }
         if let Some(levels) = arguments.fields.levels {
-            options.sharing = StepSharing::Block { levels: levels as u32 };
+            let blocks = options.in_blocks(levels as u32);
+            // One that was asked for is checked.
+            let integrator = arguments.choices.integrator(blocks.integrator);
+            options = MethodOptions { integrator, ..blocks };
         }
         let particles = arguments.particles.unwrap_or(scene.particles);
         if particles < 100 {
