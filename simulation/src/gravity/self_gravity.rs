@@ -33,7 +33,6 @@ pub struct SelfGravity<S> {
     acceleration: Vec<Vector<3>>,
     /// Of the last update, by the sink.
     pull: Vec<Vector<3>>,
-    marked: Vec<bool>,
     kept: S,
 }
 
@@ -59,7 +58,6 @@ impl<S: MaybeSink> SelfGravity<S> {
             tree: Octree::default(),
             acceleration: Vec::new(),
             pull: Vec::new(),
-            marked: Vec::new(),
         }
     }
 
@@ -104,8 +102,6 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
         if !known {
             self.acceleration.clear();
             self.acceleration.resize(count, [0.0; 3]);
-            self.marked.clear();
-            self.marked.resize(count, false);
         }
         let bodies = bodies(particles);
         self.tree.build(&bodies);
@@ -132,7 +128,7 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
                 self.interactions += found.interactions;
             }
         }
-        self.sink.look(particles, &active, self.constant, &mut self.pull, &mut self.marked);
+        self.sink.look(particles, &active, self.constant, &mut self.pull);
     }
 
     #[inline]
@@ -160,15 +156,19 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
         self.sink.drift(duration);
     }
 
-    fn settle<G: Gas>(&mut self, system: &mut ParticleSystem<3, G>) {
-        if self.sink.swallow(&system.particles, &self.marked, self.constant) {
-            let stays = |i: usize| !self.marked[i];
+    fn settle<G: Gas>(
+        &mut self,
+        system: &mut ParticleSystem<3, G>,
+        ended: impl Fn(usize) -> bool,
+    ) -> Vec<bool> {
+        let stays = self.sink.swallow(&system.particles, ended, self.constant);
+        if !stays.is_empty() {
+            let stays = |i: usize| stays[i];
             system.retain(stays);
             keep_only(&mut self.acceleration, stays);
             keep_only(&mut self.pull, stays);
-            self.marked.clear();
-            self.marked.resize(self.acceleration.len(), false);
         }
+        stays
     }
 
     fn keep(&mut self) {
@@ -177,6 +177,5 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
 
     fn restore(&mut self) {
         self.sink.clone_from(&self.kept);
-        self.marked.fill(false);
     }
 }

@@ -109,7 +109,7 @@ impl SolverChoice {
 pub enum StepSharing {
     /// Everybody.
     Global,
-    /// Blocks of steps that differ by powers of two, at most `2^levels`. First order in time.
+    /// Blocks of steps that differ by powers of two, at most `2^levels`, by leapfrog.
     Block {
         /// The depth of the hierarchy.
         levels: u32,
@@ -164,6 +164,9 @@ pub struct MethodOptions {
     pub max_steps: usize,
 }
 
+/// What block steps are.
+const BLOCK_INTEGRATOR: &str = "leapfrog-kdk";
+
 impl MethodOptions {
     /// The customary options of a method.
     pub fn new(method: ParticleMethod) -> Self {
@@ -214,6 +217,14 @@ impl MethodOptions {
         }
     }
 
+    /// The same in blocks of steps that are halved at most `levels` times.
+    #[must_use]
+    pub fn in_blocks(mut self, levels: u32) -> Self {
+        self.sharing = StepSharing::Block { levels };
+        self.integrator = Integrator::named(BLOCK_INTEGRATOR).expect("it is in the catalogue");
+        self
+    }
+
     /// Whether the options make sense; the least number of particles.
     ///
     /// # Errors
@@ -230,10 +241,9 @@ impl MethodOptions {
         if self.method == ParticleMethod::Gph4 && self.kernel != Kernel::Gaussian {
             return Err(InvalidOptions::Kernel(self.kernel));
         }
-        let table = table(self.integrator)?;
+        table(self.integrator)?;
         if let StepSharing::Block { levels } = self.sharing {
-            // One evaluation where the step begins, and a drift with the mean velocity.
-            if (&table.c[..], &table.position_weights[..]) != (&[0.0], &[0.5]) {
+            if self.integrator.name != BLOCK_INTEGRATOR {
                 return Err(InvalidOptions::BlockIntegrator(&self.integrator.name));
             }
             if levels > 20 {

@@ -33,7 +33,6 @@ pub fn sections(detail: Detail) -> Vec<Section> {
     tubes[1].items.push(blast_shell::table(&shells));
     tubes[3].items.push(rarefied_contact::table(&contacts));
     let streams = vec![collision::figure(&runs), collision::table(&penetrations)];
-    let not_reproduced = vec![text().paragraph("not_reproduced", &[])];
     let accuracy = vec![accuracy::errors(&runs), accuracy::conservation(&runs)];
     let mut cost = vec![cost::table(&runs)];
     cost.extend(efficiency::items(&runs, detail));
@@ -48,7 +47,6 @@ pub fn sections(detail: Detail) -> Vec<Section> {
     sections.extend(tubes);
     sections.extend([
         text().section("title_streams", streams),
-        text().section("title_not_reproduced", not_reproduced),
         text().section("title_accuracy", accuracy),
         text().section("title_cost", cost),
         text().section("title_claims", claims),
