@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Whether somebody still waits for an answer. Long work asks before every box it looks at and ends early where nobody does: what is left is undecided, and
 /// whoever asked hears [`Cancelled`](crate::scheme::SchemeError::Cancelled). By what interest is lost, a signal, a clock, a window that was closed,
@@ -20,9 +21,16 @@ use std::sync::Arc;
 pub struct Interest(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
 
 impl Interest {
-    /// As long as a function says so; once it has said no it must not say yes again. It is called often, and from several threads.
+    /// As long as a function says so; it is not asked again after a no. It is called often, and from several threads.
     pub fn as_long_as(wanted: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        Self(Some(Arc::new(wanted)))
+        // What one place took for lost no other may take for wanted: half an answer would look whole.
+        let lost = AtomicBool::new(false);
+        Self(Some(Arc::new(move || {
+            if !lost.load(Ordering::Relaxed) && !wanted() {
+                lost.store(true, Ordering::Relaxed);
+            }
+            !lost.load(Ordering::Relaxed)
+        })))
     }
 
     /// Whether nobody waits any longer; never, by default.

@@ -4,11 +4,11 @@
 
 use crate::number::significant;
 use crate::subject::{EquationOfState, Kind, Subject};
-use courant_analysis::exact::rational::{Rational, from_f64, integer, to_text};
+use courant_analysis::exact::rational::{Rational, decimal_below, from_f64, integer, to_text};
 use courant_analysis::kernel::{Density, Kernel};
+use courant_analysis::scheme::Step;
 use courant_analysis::scheme::catalogue::{self, SchemeFile};
-
-use courant_analysis::stability::{Limit, PointVerdict, SearchPlan, decide_step_at};
+use courant_analysis::stability::{Evidence, Limit, PointVerdict, SearchPlan, decide_step_at};
 use courant_simulation::advection::{Discretisation, Method as AdvectionMethod, RunPlan};
 use courant_simulation::method::Method;
 use courant_simulation::particles::{MethodOptions, ParticleMethod, Viscosity};
@@ -24,27 +24,50 @@ fn with_rounding(value: f64) -> impl Iterator<Item = Rational> {
     [value, value * ROUNDING].into_iter().filter_map(from_f64)
 }
 
-/// Which steps are stable, in words.
+/// Which steps are stable, in words, and how that is known.
 fn stable_steps(limit: &Limit, name: &str) -> String {
+    let known = match limit.evidence() {
+        Evidence::Proved => "by proof",
+        Evidence::Enclosed => "by enclosures",
+        Evidence::Sampled { .. } | Evidence::Measured => "by samples",
+        Evidence::Undecided => return "how far steps are stable is not decided".to_string(),
+    };
     match limit.exact() {
-        _ if !limit.is_positive() => "no step, however small".to_string(),
-        Some(exact) if exact.to_string().len() <= 12 => format!("steps up to {name} = {exact}"),
-        _ => format!("steps up to {name} = {}", significant(limit.value(), 6)),
+        _ if !limit.is_positive() => format!("no step, however small, {known}"),
+        Some(exact) if exact.to_string().len() <= 12 => {
+            format!("steps up to {name} = {exact}, {known}")
+        }
+        _ => format!("steps up to {name} = {}, {known}", cut(limit.lower(), 6)),
     }
 }
 
-/// Of an advection scheme on the uniform lattice; `None` where the step is proved to be stable.
+/// Digits of a positive number, cut so that it is not beyond the number itself.
+fn cut(value: f64, digits: usize) -> String {
+    from_f64(value).map_or_else(|| value.to_string(), |value| decimal_below(&value, digits))
+}
+
+/// Whether a step is proved to be unstable at the value and a little below it.
+fn is_unstable(step: &Step, parameter: &str, used: f64) -> Option<bool> {
+    for value in with_rounding(used) {
+        let step = step.with(parameter, &value).ok()?;
+        if !matches!(decide_step_at(&step, &Rational::zero()).ok()?, PointVerdict::Unstable(_)) {
+            return Some(false);
+        }
+    }
+    Some(true)
+}
+
+/// Of an advection scheme on the uniform lattice; `None` where no wave is proved to grow.
 pub fn advection(plan: &RunPlan, ratio: &Rational) -> Option<String> {
     let AdvectionMethod { scheme, kernel, .. } = plan.method;
     let used = plan.check().ok()?;
-    let set = Discretisation::new(scheme, kernel, ratio.clone()).ok()?.stable_set();
-    let stable = with_rounding(used).any(|used| set.contains(&used));
-    (!stable).then(|| {
+    let of = Discretisation::new(scheme, kernel, ratio.clone()).ok()?;
+    is_unstable(of.step(), "C", used)?.then(|| {
         format!(
-            "C = {} is beyond the stability limit of {}: {}, by proof, with {} at l/Δξ = {}; waves grow",
+            "C = {} is beyond the stability limit of {}: {}, with {} at l/Δξ = {}; waves grow",
             significant(used, 6),
             scheme.name(),
-            stable_steps(&set.limit(), "C"),
+            stable_steps(&of.stable_set().limit(), "C"),
             kernel.name(),
             to_text(ratio)
         )
@@ -158,15 +181,8 @@ impl Question {
     /// What to say where the step is proved to be unstable; `--cfl` counts so many of it.
     fn warning(&self, method: &str, name: &str, per_option: f64, more: &str) -> Option<String> {
         let sought = self.subject.sought(false).ok()?;
-        let unstable = |value: Rational| {
-            let step = sought.step.with(&sought.parameter, &value).ok()?;
-            match decide_step_at(&step, &Rational::zero()).ok()? {
-                PointVerdict::Unstable(_) => Some(()),
-                PointVerdict::Stable | PointVerdict::Undecided => None,
-            }
-        };
-        for value in with_rounding(self.used) {
-            unstable(value)?;
+        if !is_unstable(&sought.step, &sought.parameter, self.used)? {
+            return None;
         }
         let max = self.subject.range(None).max(from_f64(4.0 * self.used)?);
         let plan = SearchPlan::default().up_to(max);
@@ -175,11 +191,11 @@ impl Question {
             format!(", {} at {}", kernel.name(), to_text(ratio))
         });
         let option = match limit.is_positive() && per_option != 1.0 {
-            true => format!(" (--cfl {})", significant(per_option * limit.lower(), 4)),
+            true => format!(" (--cfl {})", cut(per_option * limit.lower(), 4)),
             false => String::new(),
         };
         Some(format!(
-            "{name} = {} is beyond the stability limit of {method}: {}{option}, by proof, for small waves in a uniform \
+            "{name} = {} is beyond the stability limit of {method}: {}{option}, for small waves in a uniform \
              gas at rest in one dimension{lattice}{more}; waves grow",
             significant(self.used, 6),
             stable_steps(&limit, name),

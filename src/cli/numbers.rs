@@ -46,19 +46,22 @@ pub fn names<T: PartialEq>(
 
 /// A list or range of numbers; what is named twice counts once.
 pub fn list(text: &str) -> Result<Numbers, String> {
-    list_read(text, number)
+    list_read(text, number, &integer(0))
 }
 
 /// The same of angles in radians, where `pi/8` stands for its nearest floating-point number.
 pub fn angles(text: &str) -> Result<Numbers, String> {
-    list_read(text, |one| {
+    let angle = |one: &str| {
         number(one).or_else(|problem| approximate(one.trim()).and_then(from_f64).ok_or(problem))
-    })
+    };
+    // The last of a range of multiples of π may lie a rounding beyond its end.
+    list_read(text, angle, &ratio(1, 1_000_000_000))
 }
 
 fn list_read(
     text: &str,
     number: impl Fn(&str) -> Result<Rational, String>,
+    slack: &Rational,
 ) -> Result<Numbers, String> {
     if text.trim().is_empty() {
         return Err(
@@ -70,7 +73,9 @@ fn list_read(
         let fields: Vec<&str> = part.split(':').collect();
         match fields.as_slice() {
             [value] => values.push(number(value)?),
-            [from, to, step] => range(number(from)?, number(to)?, number(step)?, &mut values)?,
+            [from, to, step] => {
+                range([number(from)?, number(to)?, number(step)?], slack, &mut values)?;
+            }
             _ => {
                 return Err(format!(
                     "`{part}` is no range; write from:to:step, for example 1:10:0.5"
@@ -86,10 +91,10 @@ fn list_read(
     Ok(Names(values))
 }
 
+/// Values in equal steps; one that lies beyond the end by no more than `slack` of a step is the end.
 fn range(
-    from: Rational,
-    to: Rational,
-    step: Rational,
+    [from, to, step]: [Rational; 3],
+    slack: &Rational,
     values: &mut Vec<Rational>,
 ) -> Result<(), String> {
     if !step.is_positive() {
@@ -98,11 +103,11 @@ fn range(
     if from > to {
         return Err(format!("the range from {} to {} is empty", brief(&from), brief(&to)));
     }
-    // The last of a range of multiples of π may lie a rounding beyond its end.
-    let last = ((&to - &from) / &step + ratio(1, 1_000_000_000)).floor().to_integer();
+    let last = ((&to - &from) / &step + slack).floor().to_integer();
     match last.to_i64().filter(|last| *last < MAX_VALUES) {
         Some(last) => {
-            values.extend((0..=last).map(|index| &from + &step * integer(index)));
+            let value = |index| (&from + &step * integer(index)).min(to.clone());
+            values.extend((0..=last).map(value));
             Ok(())
         }
         None => Err(format!("the range has more than {MAX_VALUES} values; take a larger step")),

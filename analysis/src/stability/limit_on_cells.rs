@@ -1,5 +1,6 @@
 //! What a periodic run of `N` cells may do where long waves grow at every step: its longest wave has the phase `2π/N`.
 
+use super::conditions::Condition;
 use super::decision::Demands;
 use super::margin::Margin;
 use crate::exact::rational::{Rational, integer, ratio, to_f64};
@@ -70,7 +71,8 @@ impl Step {
                     // One multiplier: its square minus 1 is the condition. Two on the circle part like the root of theirs.
                     let [one] = all.as_slice() else { return Ok(None) };
                     let power = margin.courant_power();
-                    let single = !one.on_circle && power > 1;
+                    let single =
+                        one.condition == Condition::Minor(1) && !one.on_circle && power > 1;
                     return Ok(single.then_some(Refinement::OfAllWaves { power }));
                 }
                 Onset::At(found) => {

@@ -3,7 +3,7 @@
 use super::gain_extremes::GainExtremes;
 use crate::kernel::lattice::RatioOutOfRange;
 use crate::scheme::{SchemeError, Step};
-use ndarray::Array2;
+use ndarray::{Array2, ArrayView1, ArrayViewMut1, Axis};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -76,7 +76,7 @@ pub struct GainMap {
 
 /// A row of a [`GainMap`].
 #[derive(Debug)]
-pub struct GainRow<'a>([&'a mut [f64]; 4]);
+pub struct GainRow<'a>([ArrayViewMut1<'a, f64>; 4]);
 
 impl GainRow<'_> {
     /// Takes up what was found.
@@ -86,7 +86,8 @@ impl GainRow<'_> {
     pub fn set(&mut self, found: &GainExtremes) {
         let GainExtremes { growth, growth_phase, lowest_gain, lowest_gain_phase } = found;
         let found = [growth, growth_phase, lowest_gain, lowest_gain_phase];
-        self.0.iter_mut().zip(found).for_each(|(row, values)| row.copy_from_slice(values));
+        let rows = self.0.iter_mut().zip(found);
+        rows.for_each(|(row, values)| row.assign(&ArrayView1::from(values.as_slice())));
     }
 }
 
@@ -101,16 +102,13 @@ impl GainMap {
 
     /// The rows in their order, each to be filled: kept elsewhere until all are there they would scatter the memory.
     pub fn rows_mut(&mut self) -> Vec<GainRow<'_>> {
-        let columns = self.growth.ncols().max(1);
-        let [first, second, third, fourth] = [
+        let arrays = [
             &mut self.growth,
             &mut self.growth_phase,
             &mut self.lowest_gain,
             &mut self.lowest_gain_phase,
-        ]
-        .map(|array| {
-            array.as_slice_mut().expect("new arrays are contiguous").chunks_exact_mut(columns)
-        });
+        ];
+        let [first, second, third, fourth] = arrays.map(|array| array.axis_iter_mut(Axis(0)));
         let rows = first.zip(second).zip(third).zip(fourth);
         rows.map(|(((first, second), third), fourth)| GainRow([first, second, third, fourth]))
             .collect()

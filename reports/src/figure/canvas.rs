@@ -114,9 +114,10 @@ impl Canvas {
                 },
                 // The way to a further ring and back encloses nothing.
                 Shape::Area(rings, color) => {
-                    let around =
-                        |ring: &Vec<Point>| [&ring[..], &ring[..1], &rings[0][..1]].concat();
-                    let points: Vec<Point> = rings.iter().flat_map(around).collect();
+                    let Some(first) = rings.iter().find_map(|ring| ring.first()) else { continue };
+                    let around = |ring: &Vec<Point>| [&ring[..], &ring[..1], &[*first]].concat();
+                    let rings = || rings.iter().filter(|ring| !ring.is_empty());
+                    let points: Vec<Point> = rings().flat_map(around).collect();
                     area.draw(&Polygon::new(units(&points), *color))
                 }
                 Shape::Circle(at, radius, style) => {

@@ -27,6 +27,7 @@ fn exact_run(scene: &Scene, n: usize, shift: f64) -> Run {
         rejected: 0,
         time,
         failure: None,
+        cancelled: false,
         conservation: Conservation::default(),
         counters: Counters::default(),
         penetration: Penetration::default(),

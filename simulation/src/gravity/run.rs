@@ -9,8 +9,8 @@ use crate::boundary::Boundary;
 use crate::march::{Limits, march};
 use crate::particles::{
     Confined, Domain, Gas, Integrator, MethodOptions, PairForce, ParticleEvolution, ParticleSystem,
-    Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
-    plus_scaled, table,
+    Particles, Smoothing, SmoothingKernel, Task, ThermalState, Vector, dispatch, dot, plus_scaled,
+    table,
 };
 use crate::run::{Conservation, Counters, InvalidOptions, Penetration, Promise, Run};
 use std::ops::ControlFlow;

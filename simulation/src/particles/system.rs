@@ -120,12 +120,9 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         keep_only(&mut state.mass, &keep);
         keep_only(&mut state.thermal, &keep);
         keep_only(&mut state.smoothing, &keep);
-        for field in [
-            &mut self.density,
-            &mut self.pressure,
-            &mut self.sound_speed,
-            &mut self.compression,
-        ] {
+        for field in
+            [&mut self.density, &mut self.pressure, &mut self.sound_speed, &mut self.compression]
+        {
             keep_only(field, &keep);
         }
         keep_only(&mut self.volume_gradient, &keep);

@@ -121,6 +121,8 @@ pub struct Run<P = Profile> {
     pub time: f64,
     /// Why, when and where the run broke down; `None` if it reached the end.
     pub failure: Option<Failure>,
+    /// Whether it was stopped from outside before the end.
+    pub cancelled: bool,
     /// What was lost or gained beyond the flow through the ends.
     pub conservation: Conservation,
     /// Work.
@@ -137,7 +139,7 @@ pub struct Run<P = Profile> {
 impl<P> Run<P> {
     /// Whether the run reached its end time.
     pub fn completed(&self) -> bool {
-        self.failure.is_none()
+        self.failure.is_none() && !self.cancelled
     }
 
     /// What a march leaves, judged by itself.
@@ -155,6 +157,7 @@ impl<P> Run<P> {
             rejected: march.rejected,
             time: march.time,
             failure: march.failure,
+            cancelled: march.cancelled,
             conservation,
             counters,
             penetration,

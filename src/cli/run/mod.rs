@@ -142,13 +142,34 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     // All are judged before one runs.
     let plan = |case: &cases::Case| Plan::new(&case.arguments, scene::load(&case.arguments)?);
     let plans: Vec<Plan> = cases.iter().map(plan).collect::<Result<_, _>>()?;
+    // Files are named by the scene's own name.
+    let named =
+        || cases.iter().zip(&plans).map(|(case, plan)| (plan.scene().0, case.arguments.scene()));
+    for (name, scene) in named() {
+        if let Some((_, other)) = named().find(|(same, other)| *same == name && *other != scene) {
+            return Err(Failure::Message(format!(
+                "SCENE {scene}, {other}: both are named {name}, and so would be their files; give one another name"
+            )));
+        }
+    }
     let output = OutputDirectory::open(&arguments.out)?;
     let mut answers = Vec::new();
     for (case, plan) in cases.iter().zip(plans) {
-        let mut answer = answer(&case.arguments, &plan)?;
-        answer.choices = case.choices.clone();
-        answer.write(&output)?;
-        answers.push(answer);
+        let written = answer(&case.arguments, &plan).and_then(|mut answer| {
+            answer.choices = case.choices.clone();
+            answer.write(&output)?;
+            Ok(answer)
+        });
+        match written {
+            Ok(answer) => answers.push(answer),
+            // What others found is not lost with it.
+            Err(failure) => {
+                if !answers.is_empty() {
+                    answer::show(&answers, arguments.format)?;
+                }
+                return Err(failure);
+            }
+        }
     }
     answer::show(&answers, arguments.format)?;
     let completed = answers.iter().all(|answer| answer.record.completed);
