@@ -81,6 +81,18 @@ pub fn certify_stability(
     set: &StableSet,
     plan: &SearchPlan,
 ) -> Result<Vec<Certificate>, CertificationError> {
+    written(subject, set, plan).or_else(|error| {
+        // What ends because nobody waits for it fails for no other reason.
+        plan.goes_on()?;
+        Err(error)
+    })
+}
+
+fn written(
+    subject: &Subject,
+    set: &StableSet,
+    plan: &SearchPlan,
+) -> Result<Vec<Certificate>, CertificationError> {
     let chi = Characteristic::new(subject, true)?;
     let levels = levels::levels(&chi, subject, &plan.growth)?;
     let derived = chi.conditions(subject, &plan.growth, &levels)?;
