@@ -62,10 +62,12 @@ pub fn gains<'py>(
         return Err(bad(format!("{y}: {value} is no finite number")));
     }
     let found = watched(py, report, |watch| -> Result<_, SweepError> {
-        let rows = with_progress(xs.par_iter(), watch.progress, |value| {
-            Ok(plane.step(value)?.gain_extremes(y, &ys)?)
+        let mut map = GainMap::new(xs.len(), ys.len());
+        let items = xs.par_iter().zip(map.rows_mut());
+        with_progress(items, watch.progress, |(value, mut row)| {
+            row.set(&plane.step(value)?.gain_extremes(y, &ys)?);
+            Ok(())
         })?;
-        let mut map = GainMap::from_rows(&rows, ys.len());
         map.growth += 1.0;
         Ok(map)
     })?;

@@ -31,20 +31,26 @@ probe: courant.Probe = courant.probe(lambda u, C: u - C * (u - np.roll(u, 1)), v
 """
 
 
-def run(*arguments):
-    found = subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True)
-    assert found.returncode == 0, found.stdout + found.stderr
+@pytest.fixture
+def run(tmp_path):
+    """Runs a module, which leaves what it remembers elsewhere."""
+
+    def run(*arguments):
+        found = subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, cwd=tmp_path)
+        assert found.returncode == 0, found.stdout + found.stderr
+
+    return run
 
 
-def test_the_stub_is_what_the_native_half_is():
+def test_the_stub_is_what_the_native_half_is(run):
     run("mypy.stubtest", "courant_stability._native")
 
 
-def test_the_package_keeps_its_types():
+def test_the_package_keeps_its_types(run):
     run("mypy", "--config-file", CONFIGURATION, "-p", "courant_stability")
 
 
-def test_a_script_of_a_user_has_types(tmp_path):
+def test_a_script_of_a_user_has_types(run, tmp_path):
     script = tmp_path / "script.py"
     script.write_text(SCRIPT)
     run("mypy", "--strict", str(script))

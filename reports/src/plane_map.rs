@@ -57,12 +57,13 @@ pub fn plane_map(
     let ys: Vec<f64> = y.values.iter().map(to_f64).collect();
     let highest = y.values.iter().max().filter(|value| value.is_positive());
     let plan = plan.clone().up_to(highest.cloned().unwrap_or_else(|| plan.max.clone()));
-    let rows = with_progress(x.values.par_iter(), progress, |value| {
+    let mut gains = GainMap::new(x.values.len(), ys.len());
+    let items = x.values.par_iter().zip(gains.rows_mut());
+    let stable = with_progress(items, progress, |(value, mut row)| {
         let step = step.with(&x.name, value)?;
-        Ok((step.gain_extremes(&y.name, &ys)?, step.stable_set(&y.name, &plan)?))
+        row.set(&step.gain_extremes(&y.name, &ys)?);
+        Ok(step.stable_set(&y.name, &plan)?)
     })?;
-    let (gains, stable): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
-    let gains = GainMap::from_rows(&gains, ys.len());
     let widest = x.values.iter().max().filter(|value| value.is_positive());
     let across = widest.map_or_else(|| plan.clone(), |widest| plan.clone().up_to(widest.clone()));
     let across = SearchPlan { budget: across.budget.min(BOXES_ACROSS), ..across };

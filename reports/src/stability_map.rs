@@ -65,7 +65,9 @@ pub struct StabilityMap {
 pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityMap, SweepError> {
     let courant_numbers: Vec<f64> = plan.courant_numbers.iter().map(to_f64).collect();
     let growths = [integer(0), ratio(DRAWN_GROWTH.0, DRAWN_GROWTH.1)];
-    let rows = with_progress(plan.ratios.par_iter(), progress, |l| {
+    let mut gains = GainMap::new(plan.ratios.len(), courant_numbers.len());
+    let items = plan.ratios.par_iter().zip(gains.rows_mut());
+    let limits = with_progress(items, progress, |(l, mut row)| {
         let of = Discretisation::new(plan.scheme, plan.kernel, l.clone())?;
         let search = of.plan().to_bits(LIMIT_BITS);
         let mut limits = of.limits_by(&search, &growths);
@@ -73,10 +75,9 @@ pub fn stability_map(plan: MapPlan, progress: Progress<'_>) -> Result<StabilityM
         let curves: Vec<CurvePoint> =
             limits.iter().map(|limit| (to_f64(l), limit.value())).collect();
         let evidence = limits.iter().map(Limit::evidence).fold(Evidence::Proved, Evidence::weaker);
-        Ok((of.gain_extremes(&courant_numbers), (evidence, curves)))
+        row.set(&of.gain_extremes(&courant_numbers));
+        Ok((evidence, curves))
     })?;
-    let (gains, limits): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
-    let gains = GainMap::from_rows(&gains, courant_numbers.len());
     let curve = |which: usize| -> Vec<CurvePoint> {
         limits.iter().map(|(_, curves)| curves[which]).collect()
     };

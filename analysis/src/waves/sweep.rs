@@ -74,22 +74,46 @@ pub struct GainMap {
     pub lowest_gain_phase: Array2<f64>,
 }
 
-impl GainMap {
-    /// From rows of `columns` values each.
+/// A row of a [`GainMap`].
+#[derive(Debug)]
+pub struct GainRow<'a>([&'a mut [f64]; 4]);
+
+impl GainRow<'_> {
+    /// Takes up what was found.
     ///
     /// # Panics
-    /// When a row has another length.
-    pub fn from_rows(rows: &[GainExtremes], columns: usize) -> Self {
-        let array = |of: fn(&GainExtremes) -> &[f64]| {
-            let values = rows.iter().flat_map(|row| of(row).iter().copied()).collect();
-            Array2::from_shape_vec((rows.len(), columns), values).expect("rows are equally long")
-        };
-        Self {
-            growth: array(|row| &row.growth),
-            growth_phase: array(|row| &row.growth_phase),
-            lowest_gain: array(|row| &row.lowest_gain),
-            lowest_gain_phase: array(|row| &row.lowest_gain_phase),
-        }
+    /// When the lengths differ.
+    pub fn set(&mut self, found: &GainExtremes) {
+        let GainExtremes { growth, growth_phase, lowest_gain, lowest_gain_phase } = found;
+        let found = [growth, growth_phase, lowest_gain, lowest_gain_phase];
+        self.0.iter_mut().zip(found).for_each(|(row, values)| row.copy_from_slice(values));
+    }
+}
+
+impl GainMap {
+    /// Room for rows.
+    pub fn new(rows: usize, columns: usize) -> Self {
+        let zeros = || Array2::zeros((rows, columns));
+        let [growth, growth_phase, lowest_gain, lowest_gain_phase] =
+            [zeros(), zeros(), zeros(), zeros()];
+        Self { growth, growth_phase, lowest_gain, lowest_gain_phase }
+    }
+
+    /// The rows in their order, each to be filled: kept elsewhere until all are there they would scatter the memory.
+    pub fn rows_mut(&mut self) -> Vec<GainRow<'_>> {
+        let columns = self.growth.ncols().max(1);
+        let [first, second, third, fourth] = [
+            &mut self.growth,
+            &mut self.growth_phase,
+            &mut self.lowest_gain,
+            &mut self.lowest_gain_phase,
+        ]
+        .map(|array| {
+            array.as_slice_mut().expect("new arrays are contiguous").chunks_exact_mut(columns)
+        });
+        let rows = first.zip(second).zip(third).zip(fourth);
+        rows.map(|(((first, second), third), fourth)| GainRow([first, second, third, fourth]))
+            .collect()
     }
 }
 
@@ -106,10 +130,13 @@ pub fn gain_map<Row: Sync>(
     values: &[f64],
     progress: Progress<'_>,
 ) -> Result<GainMap, SweepError> {
-    let rows = with_progress(rows.par_iter(), progress, |row| {
-        Ok(step(row)?.gain_extremes(parameter, values)?)
+    let mut map = GainMap::new(rows.len(), values.len());
+    let items = rows.par_iter().zip(map.rows_mut());
+    with_progress(items, progress, |(row, mut gains)| {
+        gains.set(&step(row)?.gain_extremes(parameter, values)?);
+        Ok(())
     })?;
-    Ok(GainMap::from_rows(&rows, values.len()))
+    Ok(map)
 }
 
 #[cfg(test)]
