@@ -1,5 +1,6 @@
 //! Courant number against error and failure, for each Lagrangian method and tube.
 
+use super::linear_theory::{describe, limits_of_sound};
 use super::plan::{ByDetail, Named};
 use super::riemann_run::sound_growth;
 use super::tubes::{Tubes, density_error, error_or_failure, method, tube};
@@ -9,7 +10,8 @@ use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::{PaperText, csv, or_dash};
 use crate::report::Detail;
-use courant_analysis::exact::rational::{Rational, to_f64};
+use courant_analysis::exact::rational::Rational;
+use courant_analysis::kernel::Kernel;
 use courant_simulation::lagrangian::StepRule;
 use courant_simulation::method::Method;
 use courant_simulation::run::Failure;
@@ -24,10 +26,9 @@ struct Plan {
     methods: Vec<String>,
     /// Courant numbers are multiples of this, up to 3.
     step: ByDetail<f64>,
-    /// The stability limit of sound.
-    stable: Named<Rational>,
-    /// The monotonicity limit.
-    monotone: Named<Rational>,
+    /// The kernel and the ratio of all runs, for the limits of linear theory.
+    kernel: Named<Kernel>,
+    ratio: Named<Rational>,
     /// What all runs have in common.
     settings: String,
 }
@@ -117,7 +118,8 @@ pub fn items(text: &PaperText, tubes: &Tubes, detail: Detail) -> Vec<Item> {
     let cases: Vec<Case<'_>> = cases.collect();
     let curves: Vec<Curve<'_>> =
         cases.into_par_iter().map(|case| Curve::new(case, &grid)).collect();
-    let rows = curves.iter().map(|one| row(&plan, one));
+    let [stable, _] = limits_of_sound(plan.kernel.0, &plan.ratio.0);
+    let rows = curves.iter().map(|one| row(stable.value(), one));
     vec![figure(text, tubes, &plan, &curves), text.table(&tubes.item("courant_limits"), &[], rows)]
 }
 
@@ -125,7 +127,7 @@ fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, curves: &[Curve<'_>]) ->
     let mut figure =
         Figure::grid(tubes.tests.len().div_ceil(2), 2).size(7.0, 6.0).title(&plan.settings);
     let mut lines = Vec::new();
-    let [stable, monotone] = [&plan.stable.0, &plan.monotone.0];
+    let [stable, monotone] = limits_of_sound(plan.kernel.0, &plan.ratio.0);
     for (test, (test_name, _)) in tubes.tests.iter().enumerate() {
         let mut panel = Panel::new(
             Axis::linear("Courant number of sound, ρcΔt/Δξ").range(0.0, MOST + 0.05),
@@ -133,15 +135,15 @@ fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, curves: &[Curve<'_>]) ->
         )
         .title(tubes.panel_title(test))
         .layer(
-            Series::vertical(to_f64(monotone))
+            Series::vertical(monotone.value())
                 .dash(Dash::Dashed)
-                .label(format!("monotone up to {monotone}")),
+                .label(format!("monotone up to {}", describe(&monotone))),
         )
         .layer(
-            Series::vertical(to_f64(stable))
+            Series::vertical(stable.value())
                 .color(Color::BLACK)
                 .dash(Dash::Dashed)
-                .label(format!("stable up to {stable}")),
+                .label(format!("stable up to {}", describe(&stable))),
         );
         let of_test = curves.iter().filter(|one| one.of.test == test);
         for one in of_test.clone() {
@@ -172,9 +174,8 @@ fn figure(text: &PaperText, tubes: &Tubes, plan: &Plan, curves: &[Curve<'_>]) ->
     text.figure(&name, &[], figure, vec![(format!("{name}.csv"), data)])
 }
 
-fn row(plan: &Plan, one: &Curve<'_>) -> Vec<String> {
+fn row(stable: f64, one: &Curve<'_>) -> Vec<String> {
     let Case { tubes, test, method, step } = one.of;
-    let stable = to_f64(&plan.stable.0);
     let (rule, limit) = match step {
         StepRule::Current => ("current state", stable),
         StepRule::Initial => ("initial data", stable / sound_growth(&tubes.scene(test)).max(1.0)),

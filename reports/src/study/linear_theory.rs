@@ -7,7 +7,7 @@ use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::PaperText;
 use crate::{cells, words};
-use courant_analysis::exact::rational::{Rational, from_f64, integer, to_f64};
+use courant_analysis::exact::rational::{Rational, from_f64, integer};
 use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::{COURANT, KernelLattice, Step, catalogue};
 use courant_analysis::stability::{Limit, SearchPlan};
@@ -38,8 +38,23 @@ struct Plan {
     contacts: Vec<f64>,
     kernel: Named<Kernel>,
     ratio: Named<Rational>,
-    /// The limit of the acoustic waves.
-    sound: Named<Rational>,
+}
+
+/// A scheme of the catalogue with a kernel.
+fn scheme(name: &str, lattice: &KernelLattice, values: &[(String, Rational)]) -> Step {
+    let scheme = catalogue::scheme(name).expect("it is in the catalogue");
+    scheme.step(Some(lattice), None, values, Some(COURANT)).expect("it is a scheme")
+}
+
+/// Up to which Courant number sound on particles is stable, and its characteristic variables monotone.
+pub(super) fn limits_of_sound(kernel: Kernel, ratio: &Rational) -> [Limit; 2] {
+    let search = SearchPlan::default().up_to(integer(RANGE));
+    let lattice = KernelLattice::new(kernel, ratio).expect("it is in range");
+    let sound = scheme("lagrangian-sound", &lattice, &[]);
+    let stable = sound.stable_set(COURANT, &search).expect("one parameter is free");
+    let one = scheme("godunov-sph", &lattice, &[]);
+    let monotone = one.monotone_set(COURANT, &search).expect("one parameter is free");
+    [stable.limit(), monotone.expect("one unknown, explicit").limit()]
 }
 
 impl Plan {
@@ -65,8 +80,7 @@ impl Plan {
     /// A scheme of the catalogue.
     fn scheme(&self, name: &str, values: &[(String, Rational)]) -> Step {
         let lattice = KernelLattice::new(self.kernel.0, &self.ratio.0).expect("it is in range");
-        let scheme = catalogue::scheme(name).expect("it is in the catalogue");
-        scheme.step(Some(&lattice), None, values, Some(COURANT)).expect("it is a scheme")
+        scheme(name, &lattice, values)
     }
 }
 
@@ -114,7 +128,7 @@ impl Wave {
     }
 }
 
-fn describe(limit: &Limit) -> String {
+pub(super) fn describe(limit: &Limit) -> String {
     if limit.value().is_infinite() {
         return "none".into();
     }
@@ -130,10 +144,11 @@ pub fn items(text: &PaperText, tubes: &Tubes) -> Vec<Item> {
     });
     let rows = cases.flat_map(|(name, flux, wave)| rows(&plan, &name, flux, wave));
     let growth = sound_growth(&tube(&plan.steepest));
+    let [stable, _] = limits_of_sound(plan.kernel.0, &plan.ratio.0);
     let words = words![
         "growth" = significant(growth, 3),
         "usual" = significant(USUAL * growth, 3),
-        "stable" = significant(to_f64(&plan.sound.0) / growth, 3),
+        "stable" = significant(stable.value() / growth, 3),
     ];
     let name = tubes.item("linear");
     vec![text.paragraph(&format!("{name}_text"), words), text.table(&name, &[], rows)]
@@ -176,7 +191,8 @@ fn rows(plan: &Plan, name: &str, flux: Flux, wave: Wave) -> Vec<Vec<String>> {
         .map_or(1, |phase| ((phase * PARTICLES as f64 / TAU).round() as usize).max(1));
     let phase = TAU * mode as f64 / PARTICLES as f64;
     // Far above the limit of sound, round-off alone grows until the run breaks.
-    let tried = if stable.value() < 1.3 * to_f64(&plan.sound.0) {
+    let [sound, _] = limits_of_sound(plan.kernel.0, &plan.ratio.0);
+    let tried = if stable.value() < 1.3 * sound.value() {
         vec![0.99 * stable.value(), 1.01 * stable.value()]
     } else {
         vec![USUAL]
