@@ -175,7 +175,7 @@ fn a_run_that_overflows_is_told_with_its_reason() {
     ];
     let answer = json(&run(place.path(), &arguments).code(1));
     assert_eq!(answer["completed"], false);
-    assert!(answer["failure"].as_str().unwrap().contains("overflowed"));
+    assert!(answer["failure"].as_str().unwrap().contains("unstable at C = 2"));
     assert_eq!(answer["l1_note"], "the run broke down");
     assert_eq!(answer["conservation_note"], "the run broke down");
     assert!(answer["l1"]["value"].is_null() && answer["time"].as_f64().unwrap() < 500.0);

@@ -1,106 +1,69 @@
 //! One advection run as files: the profile as CSV and picture, the numbers as JSON.
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
-use crate::number::significant;
-use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
+use crate::number::{finite, significant};
+use crate::run_record::{BROKEN, ConservationRecord, RunRecord, RunReport, method_title};
 use courant_analysis::exact::rational::{Rational, to_text};
-use courant_simulation::advection::{AdvectionRun, Layout, Outcome, RunPlan};
-use serde::Serialize;
+use courant_simulation::advection::{AdvectionRun, Layout, RunPlan};
 use std::fmt::Write;
 
 /// Markers in a picture at most; more cannot be told apart.
 const MARKERS: usize = 2000;
 
-/// A run as JSON: the keys of every run, and those of advection. What is not finite is `null`, and
-/// `failure` says why.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct AdvectionRecord {
-    /// What every run has.
-    #[serde(flatten)]
-    pub run: RunRecord,
-    /// The kernel's name.
-    pub kernel: String,
-    /// The smoothing ratio, exactly.
-    pub ratio: String,
-    /// The Courant number used: the largest up to the one asked for that lands on the end time.
-    pub cfl: f64,
-    /// `lattice`, `uniform` or `disordered`.
-    pub layout: &'static str,
-    /// `√(Σ e²/N)`.
-    pub l2: Option<f64>,
-    /// `max |e|`.
-    pub l_infinity: Option<f64>,
-    /// `Σ |u_{i+1} − u_i|` at the end.
-    pub total_variation: Option<f64>,
-    /// The same of the exact solution.
-    pub exact_total_variation: Option<f64>,
-    /// The smallest value.
-    pub minimum: Option<f64>,
-    /// The largest value.
-    pub maximum: Option<f64>,
-    /// Mean of the values at the end less that at the start.
-    pub mean_drift: Option<f64>,
-    /// Terms with another particle's value added up in all.
-    pub interactions: u64,
-}
-
-impl AdvectionRecord {
-    /// The record of a run.
-    pub fn new(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun, wall_seconds: f64) -> Self {
-        let seen = &result.comparison;
-        let failure = failure(result);
-        let finite = |value: f64| (failure.is_none() && value.is_finite()).then_some(value);
-        let mean = result.initial.iter().sum::<f64>() / result.initial.len() as f64;
-        // A relative change of a mean that is rounding says nothing.
-        let relative = (mean.abs() > 1e-12).then(|| seen.mean_drift / mean);
-        Self {
-            run: RunRecord {
-                scene: plan.scene.name().into(),
-                method: plan.method.scheme.name().into(),
-                particles: plan.particles,
-                steps: result.steps as usize,
-                rejected_steps: 0,
-                time: result.time,
-                completed: failure.is_none(),
-                failure: failure.clone(),
-                warnings: courant_warning(plan, result).into_iter().collect(),
-                l1: ErrorNorms { value: finite(seen.l1), ..ErrorNorms::default() },
-                l1_note: Some(match failure {
-                    None => "one quantity is advected: its norm is `value`".into(),
-                    Some(_) => BROKEN.into(),
-                }),
-                conservation: ConservationRecord {
-                    mass: relative.and_then(finite),
-                    ..ConservationRecord::default()
-                },
-                conservation_note: Some(match (&failure, relative) {
-                    (Some(_), _) => BROKEN.into(),
-                    (None, Some(_)) => {
-                        "one quantity is advected: the drift of its mean is `mass`".into()
-                    }
-                    (None, None) => {
-                        "the mean is zero and has no relative drift: see `mean_drift`".into()
-                    }
-                }),
-                wall_seconds,
-            },
-            kernel: plan.method.kernel.name().into(),
-            ratio: to_text(ratio),
-            cfl: result.courant_number,
-            layout: match plan.layout {
-                Layout::Lattice => "lattice",
-                Layout::Uniform => "uniform",
-                Layout::Disordered { .. } => "disordered",
-            },
-            l2: finite(seen.l2),
-            l_infinity: finite(seen.l_infinity),
-            total_variation: finite(seen.total_variation),
-            exact_total_variation: finite(seen.exact_total_variation),
-            minimum: finite(seen.extrema.min),
-            maximum: finite(seen.extrema.max),
-            mean_drift: finite(seen.mean_drift),
-            interactions: result.interactions,
-        }
+/// The record, the profile and its picture.
+pub fn report(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun, seconds: f64) -> RunReport {
+    let (seen, scene, scheme) = (&result.comparison, &plan.scene, plan.method.scheme);
+    let note = "one quantity is advected: its norm is `value`";
+    let names = [scene.name.as_str(), scheme.name()];
+    let mut record = RunRecord::new(names, plan.particles, &result.run, note, seconds);
+    let completed = record.completed;
+    record.advise(Some(&format!(
+        "the scheme is unstable at C = {}: a smaller --cfl helps, if one is stable",
+        significant(result.courant_number, 6)
+    )));
+    record.warnings.extend(courant_warning(plan, result));
+    let known = |value: f64| finite(value).filter(|_| completed);
+    record.l1.value = known(seen.l1);
+    // A relative change of a mean that is rounding says nothing.
+    let relative = (seen.mean_drift / result.run.conservation.mass).abs() > 1e-12;
+    record.conservation = ConservationRecord {
+        mass: known(result.run.conservation.mass).filter(|_| relative || seen.mean_drift == 0.0),
+        ..ConservationRecord::default()
+    };
+    record.conservation_note = Some(match (completed, record.conservation.mass) {
+        (false, _) => BROKEN.into(),
+        (true, Some(_)) => "one quantity is advected: the drift of its mean is `mass`".into(),
+        (true, None) => "the mean is zero and has no relative drift: see `mean_drift`".into(),
+    });
+    record.set("kernel", plan.method.kernel.name());
+    record.set("ratio", to_text(ratio));
+    record.set("cfl", result.courant_number);
+    record.set(
+        "layout",
+        match plan.layout {
+            Layout::Lattice => "lattice",
+            Layout::Uniform => "uniform",
+            Layout::Disordered { .. } => "disordered",
+        },
+    );
+    for (key, value) in [
+        ("l2", seen.l2),
+        ("l_infinity", seen.l_infinity),
+        ("total_variation", seen.total_variation),
+        ("exact_total_variation", seen.exact_total_variation),
+        ("minimum", seen.extrema.min),
+        ("maximum", seen.extrema.max),
+        ("mean_drift", seen.mean_drift),
+    ] {
+        record.set(key, known(value));
+    }
+    record.set("interactions", result.run.counters.interactions);
+    RunReport {
+        caption: format!("{}, {}", scene.name, method_title(scheme.name())),
+        files: vec![(".csv", profile_csv(result).into_bytes())],
+        // Where values overflowed there is no profile to draw.
+        figure: completed.then(|| profile_figure(plan, ratio, result)),
+        record,
     }
 }
 
@@ -112,24 +75,10 @@ fn courant_warning(plan: &RunPlan, result: &AdvectionRun) -> Option<String> {
         format!(
             "C = {} does not divide the way: equal steps to t = {} have C = {}",
             short(asked),
-            short(plan.periods),
+            short(plan.scene.end_time),
             significant(used, 8)
         )
     })
-}
-
-/// Why a run did not reach its end with numbers.
-fn failure(result: &AdvectionRun) -> Option<String> {
-    let after = |steps| format!("after {steps} steps, at t = {}", significant(result.time, 4));
-    match result.outcome {
-        Outcome::Completed => None,
-        Outcome::Overflowed { steps } => Some(format!(
-            "the values overflowed {}: the scheme is unstable at C = {}",
-            after(steps),
-            significant(result.courant_number, 6)
-        )),
-        Outcome::Cancelled { steps } => Some(format!("cancelled {}", after(steps))),
-    }
 }
 
 /// `position,initial,computed,exact`, one row per particle.
@@ -152,7 +101,8 @@ pub fn profile_csv(result: &AdvectionRun) -> String {
 pub fn exact_line(plan: &RunPlan, time: f64) -> Line {
     const CELLS: usize = 2000;
     let points = (0..CELLS).flat_map(|cell| {
-        let at = |offset: f64| (cell as f64 + offset) / CELLS as f64;
+        let [from, to] = plan.scene.domain;
+        let at = |offset: f64| from + (to - from) * (cell as f64 + offset) / CELLS as f64;
         // The middle of the cell decides, so that no rounding of a jump's place shows.
         let value = plan.scene.exact(at(0.5), time);
         [(at(0.0), value), (at(1.0), value)]
@@ -182,10 +132,11 @@ pub fn profile_figure(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun) -
         to_text(ratio),
         short(result.courant_number),
         plan.particles,
-        short(result.time)
+        short(result.run.time)
     );
-    let panel = Panel::new(Axis::linear("ξ").range(0.0, 1.0), Axis::linear("u"))
-        .layer(exact_line(plan, result.time))
+    let [from, to] = plan.scene.domain;
+    let panel = Panel::new(Axis::linear("ξ").range(from, to), Axis::linear("u"))
+        .layer(exact_line(plan, result.run.time))
         .layer(
             profile_markers(result, Marker::Circle, Color::BLUE)
                 .fill(Color::WHITE)
@@ -200,21 +151,22 @@ mod tests {
     use super::*;
     use courant_analysis::exact::rational::integer;
     use courant_analysis::kernel::Kernel;
-    use courant_simulation::advection::{AdvectionScheme, Method, Scene, run};
+    use courant_simulation::advection::{AdvectionScene, AdvectionScheme, Method, run};
 
-    fn plan(scheme: AdvectionScheme, courant_number: f64, periods: f64) -> RunPlan {
+    fn plan(scheme: AdvectionScheme, courant_number: f64, end_time: f64) -> RunPlan {
+        let scene = AdvectionScene { end_time, ..AdvectionScene::named("advection-step").unwrap() };
         let kernel = Kernel::CubicSpline;
         let method = Method { scheme, kernel, ratio: 2.0, courant_number };
-        RunPlan { scene: Scene::Step, method, particles: 40, periods, layout: Layout::Uniform }
+        RunPlan { scene, method, particles: 40, layout: Layout::Uniform }
     }
 
     #[test]
     fn an_overflow_is_a_failure_without_numbers() {
         let plan = plan(AdvectionScheme::EulerSph, 4.0, 1e4);
         let result = run(&plan).unwrap();
-        let record = AdvectionRecord::new(&plan, &integer(2), &result, 0.1);
-        assert!(!record.run.completed && record.run.l1.value.is_none() && record.l2.is_none());
-        assert!(record.run.failure.as_ref().unwrap().contains("overflowed after"));
+        let record = report(&plan, &integer(2), &result, 0.1).record;
+        assert!(!record.completed && record.l1.value.is_none() && record.more["l2"].is_null());
+        assert!(record.failure.as_ref().unwrap().contains("the scheme is unstable at C = 4"));
         assert!(serde_json::to_value(&record).unwrap()["total_variation"].is_null());
     }
 
@@ -233,8 +185,8 @@ mod tests {
                 (fields[2] - fields[3]).abs()
             })
             .sum();
-        let record = AdvectionRecord::new(&plan, &integer(2), &result, 0.1);
-        assert!((sum / 40.0 - record.run.l1.value.unwrap()).abs() < 1e-15);
-        assert!(record.run.conservation.mass.unwrap().abs() < 1e-13);
+        let record = report(&plan, &integer(2), &result, 0.1).record;
+        assert!((sum / 40.0 - record.l1.value.unwrap()).abs() < 1e-15);
+        assert!(record.conservation.mass.unwrap().abs() < 1e-13);
     }
 }

@@ -1,8 +1,12 @@
 //! Figures and tables of clouds: the gas beside the exact solution, the core against time, energies.
 
 use crate::figure::{Axis, Color, Figure, Line, Marker, Markers, Panel};
-use crate::number::finite;
+use crate::gas_run::{describe_particles, eos};
+use crate::number::{finite, significant};
+use crate::run_record::{RunRecord, RunReport, method_title};
 use courant_simulation::gravity::{Cloud, CloudRun, Energies, ExpansionWave, Snapshot};
+use courant_simulation::method::Method;
+use courant_simulation::particles::MethodOptions;
 use courant_simulation::particles::Vector;
 
 /// Points of the curve of an exact solution.
@@ -140,4 +144,41 @@ pub fn cloud_csv(cloud: &Cloud, snapshot: &Snapshot) -> Vec<u8> {
 pub fn core_csv(run: &CloudRun) -> Vec<u8> {
     let rows = run.core.iter().map(|[time, mass]| format!("{time},{mass}\n"));
     format!("time,core_mass\n{}", rows.collect::<String>()).into_bytes()
+}
+
+/// The record, the particles by radius, the core against time and the picture; `ratio` is the smoothing length as it was asked
+/// for.
+pub fn report(
+    cloud: &Cloud,
+    options: &MethodOptions,
+    ratio: &str,
+    particles: usize,
+    result: &CloudRun,
+    seconds: f64,
+) -> RunReport {
+    let (run, method) = (&result.run, options.method.name());
+    let note = "the measures compare the run with what is known of it";
+    let mut record = RunRecord::new([&cloud.name, method], particles, run, note, seconds);
+    let advice =
+        run.failure.and_then(|failure| Method::Particles(*options).advice(&failure.reason));
+    record.advise(advice);
+    let measures = result.measures(cloud).into_iter();
+    record.measures = measures.map(|(name, value)| (name, finite(value))).collect();
+    record.set("dimension", 3);
+    record.set("eos", eos(cloud.material));
+    describe_particles(&mut record, options, ratio, &run.counters);
+    let title = format!(
+        "{}: {}, {particles} particles, t = {}",
+        cloud.name,
+        method.to_uppercase(),
+        significant(run.time, 4)
+    );
+    let end = result.snapshots.last().map(|end| (".csv", cloud_csv(cloud, end)));
+    let core = (!result.core.is_empty()).then(|| ("_core.csv", core_csv(result)));
+    RunReport {
+        caption: format!("{} ({}), {}", cloud.name, cloud.source, method_title(method)),
+        files: end.into_iter().chain(core).collect(),
+        figure: cloud_figure(cloud, result).map(|figure| figure.title(title)),
+        record,
+    }
 }

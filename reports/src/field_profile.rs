@@ -1,8 +1,12 @@
 //! Runs in two and three dimensions: the figure, the tables of particles and of measures against time.
 
 use crate::figure::{Axis, Color, Dash, Figure, Line, Marker, Markers, Panel};
-use crate::number::finite;
+use crate::gas_run::{describe_particles, eos};
+use crate::number::{finite, significant};
+use crate::run_record::{NO_ENERGY, RunRecord, RunReport, method_title};
 use courant_simulation::field::{FieldFlow, FieldProfile, FieldRun, FieldScene};
+use courant_simulation::method::Method;
+use courant_simulation::particles::MethodOptions;
 
 /// More particles than this are thinned out in pictures.
 const MOST_MARKERS: usize = 4000;
@@ -60,7 +64,8 @@ pub fn profile_panel(scene: &FieldScene, profile: &FieldProfile, time: f64) -> P
 
 /// The profile, and the measures of the scene against time.
 pub fn field_figure(scene: &FieldScene, run: &FieldRun) -> Figure {
-    let profile = profile_panel(scene, &run.profile, run.time).title("(a) particles at the end");
+    let profile = profile_panel(scene, &run.run.profile, run.run.time);
+    let profile = profile.title("(a) particles at the end");
     let mut measures = Panel::new(Axis::linear("t"), Axis::linear("measure")).title("(b) measures");
     let names = run.history[0].measures.iter().map(|(name, _)| *name).enumerate();
     for (k, name) in names {
@@ -74,6 +79,50 @@ pub fn field_figure(scene: &FieldScene, run: &FieldRun) -> Figure {
         measures = measures.layer(line.label(name.replace('_', " ")));
     }
     Figure::grid(1, 2).size(7.0, 3.6).panels([profile, measures]).legend_below()
+}
+
+/// The record, the particles, the measures against time and the picture; `ratio` is the smoothing length as it was asked for.
+pub fn report(
+    scene: &FieldScene,
+    options: &MethodOptions,
+    ratio: &str,
+    result: &FieldRun,
+    seconds: f64,
+) -> RunReport {
+    let (run, method) = (&result.run, options.method.name());
+    let note = match (result.errors, run.conservation.energy) {
+        (None, _) => "there is no exact solution here, or the flow has reached the ends of the box",
+        (Some(_), None) => NO_ENERGY,
+        (Some(_), Some(_)) => "the energy follows from pressure and density",
+    };
+    let particles = run.profile.len();
+    let mut record = RunRecord::new([&scene.name, method], particles, run, note, seconds);
+    let advice =
+        run.failure.and_then(|failure| Method::Particles(*options).advice(&failure.reason));
+    record.advise(advice);
+    if let Some(errors) = result.errors.filter(|_| run.completed()) {
+        record.l1.density = finite(errors.density);
+        record.l1.velocity = finite(errors.velocity);
+        record.l1.pressure = finite(errors.pressure);
+    }
+    record.measures = result.measures.iter().map(|(name, value)| (*name, finite(*value))).collect();
+    record.set("dimension", scene.dimension);
+    record.set("eos", eos(scene.gas));
+    record.set("lattice", scene.lattice.name());
+    describe_particles(&mut record, options, ratio, &run.counters);
+    let title = format!(
+        "{}: {}, {}, h/Δ = {ratio}, {particles} particles, t = {}",
+        scene.name,
+        method.to_uppercase(),
+        options.kernel.title(),
+        significant(run.time, 4)
+    );
+    RunReport {
+        caption: format!("{} ({}), {}", scene.name, scene.source, method_title(method)),
+        files: vec![(".csv", profile_csv(&run.profile)), ("_measures.csv", history_csv(result))],
+        figure: Some(field_figure(scene, result).title(title)),
+        record,
+    }
 }
 
 fn csv(header: &[&str], rows: impl Iterator<Item = Vec<f64>>) -> Vec<u8> {

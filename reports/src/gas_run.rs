@@ -1,13 +1,14 @@
 //! A run of gas dynamics as a record, and its settings in words.
 
 use crate::number::{finite, significant};
-use crate::run_record::{BROKEN, ConservationRecord, ErrorNorms, RunRecord};
+use crate::particle_profile::{profile_csv, profile_figure};
+use crate::run_record::{ErrorNorms, NO_ENERGY, RunRecord, RunReport, method_title};
 use courant_simulation::comparison::Comparison;
 use courant_simulation::method::Method;
 use courant_simulation::particles::MethodOptions;
 use courant_simulation::riemann::Wave;
-use courant_simulation::run::Run;
-use courant_simulation::scene::{ExactSolution, Scene};
+use courant_simulation::run::{Counters, Run};
+use courant_simulation::scene::{ExactSolution, Material, Scene};
 
 /// The method with its settings, for captions.
 pub fn settings(method: &Method) -> String {
@@ -66,8 +67,40 @@ pub fn particle_settings(options: &MethodOptions) -> String {
     )
 }
 
-/// Why there are no norms, or some are missing.
-const NO_ENERGY: &str = "an isothermal gas has no energy equation";
+/// The equation of state, in words.
+pub fn eos(material: Material) -> String {
+    match material {
+        Material::Isothermal(gas) => format!("isothermal, c = {}", gas.sound_speed),
+        Material::Ideal(gas) => format!("ideal gas, γ = {}", significant(gas.gamma(), 6)),
+    }
+}
+
+/// Adds what a particle method was set to, and its work; `ratio` is the smoothing length as it was asked for.
+pub fn describe_particles(
+    record: &mut RunRecord,
+    options: &MethodOptions,
+    ratio: &str,
+    work: &Counters,
+) {
+    record.set("kernel", options.kernel.name());
+    record.set("ratio", ratio);
+    record.set("cfl", options.courant);
+    record.set("integrator", options.integrator.name.as_str());
+    if options.method.is_godunov() {
+        record.set("riemann", options.solver.name());
+    } else {
+        record.set("alpha", options.viscosity.alpha);
+        record.set("beta", options.viscosity.beta);
+    }
+    record.set("work", options.work.name());
+    record.set("pair_interactions", work.interactions);
+    if options.method.is_godunov() {
+        record.set("riemann_iterations", work.riemann_iterations);
+    }
+    if work.attractions > 0 {
+        record.set("attractions", work.attractions);
+    }
+}
 
 /// Whether the exact solution holds at the time a run reached, and why not.
 pub fn exact_holds(scene: &Scene, time: f64) -> Result<(), String> {
@@ -96,60 +129,89 @@ pub fn record(
     let isothermal = scene.material.ideal().is_none();
     let holds = exact_holds(scene, run.time);
     let inside = run.profile.inside(scene.window).len();
-    let mut warnings = run.warnings.clone();
     let comparison = match &holds {
         Ok(()) if run.completed() && inside > 0 => Comparison::new(scene, run),
         _ => None,
     };
-    let l1 = comparison.map_or_else(ErrorNorms::default, |comparison| ErrorNorms {
-        value: None,
-        density: finite(comparison.l1.density),
-        velocity: finite(comparison.l1.velocity),
-        pressure: finite(comparison.l1.pressure),
-        energy: finite(comparison.l1.energy),
-    });
-    let no_norms = match (&run.failure, holds) {
-        (Some(_), _) => BROKEN.into(),
-        (None, Err(reason)) => reason,
-        (None, Ok(())) if inside == 0 => {
-            format!("no particle is left in the window from {from} to {to}")
-        }
-        (None, Ok(())) if isothermal => NO_ENERGY.into(),
-        (None, Ok(())) => "where particles are, the exact solution is a vacuum".into(),
+    let note = match holds {
+        Err(reason) => reason,
+        Ok(()) if inside == 0 => format!("no particle is left in the window from {from} to {to}"),
+        Ok(()) if isothermal => NO_ENERGY.into(),
+        Ok(()) => "where particles are, the exact solution is a vacuum".into(),
     };
+    let names = [scene.name.as_str(), method.name()];
+    let mut record = RunRecord::new(names, particles, run, &note, wall_seconds);
+    record.advise(run.failure.and_then(|failure| method.advice(&failure.reason)));
+    if let Some(Comparison { l1, .. }) = comparison {
+        record.l1 = ErrorNorms {
+            value: None,
+            density: finite(l1.density),
+            velocity: finite(l1.velocity),
+            pressure: finite(l1.pressure),
+            energy: finite(l1.energy),
+        };
+        record.l1_note = record.l1_note.filter(|_| !record.l1.is_complete());
+    }
     if run.completed() && inside > 0 && waves_have_left(scene, run.time) {
-        warnings.push(format!(
+        record.warnings.push(format!(
             "every wave has left the window from {from} to {to} before t = {}: the error norms are those of one constant state",
             significant(run.time, 6)
         ));
     }
-    let conservation = ConservationRecord {
-        mass: finite(run.conservation.mass),
-        momentum: finite(run.conservation.momentum),
-        energy: run.conservation.energy.and_then(finite),
-    };
-    RunRecord {
-        scene: scene.name.clone(),
-        method: method.name().into(),
-        particles,
-        steps: run.steps,
-        rejected_steps: run.rejected,
-        time: run.time,
-        completed: run.completed(),
-        failure: run.failure.map(|failure| match method.advice(&failure.reason) {
-            Some(advice) => format!("{failure}; {advice}"),
-            None => failure.to_string(),
-        }),
-        warnings,
-        l1_note: (!l1.is_complete()).then_some(no_norms),
-        l1,
-        conservation_note: match isothermal {
-            _ if conservation.is_complete() => None,
-            true => Some(NO_ENERGY.into()),
-            false => Some(BROKEN.into()),
-        },
-        conservation,
-        wall_seconds,
+    record
+}
+
+/// The record with all settings, the profile and its picture; `ratio` is the smoothing length as it was asked for.
+pub fn report(
+    scene: &Scene,
+    method: &Method,
+    ratio: &str,
+    particles: usize,
+    run: &Run,
+    seconds: f64,
+) -> RunReport {
+    let mut record = record(scene, method, particles, run, seconds);
+    record.set("eos", eos(scene.material));
+    match method {
+        Method::FiniteVolume(options) => record.set("cfl", options.cfl),
+        Method::Lagrangian(options) => {
+            record.set("kernel", options.kernel.name());
+            record.set("ratio", ratio);
+            record.set("cfl", options.cfl);
+        }
+        Method::Particles(options) => {
+            describe_particles(&mut record, options, ratio, &run.counters);
+        }
+    }
+    let settings = settings(method);
+    record.set("penetration", run.penetration.largest);
+    record.set("inside_at_end", run.profile.inside(scene.window).len());
+    if record.l1.density.is_some()
+        && let Some(comparison) = Comparison::new(scene, run)
+    {
+        record.set("density_overshoot", finite(comparison.overshoot.density));
+        for wave in &comparison.waves {
+            let kind = format!("{:?}", wave.kind).to_lowercase();
+            // From left to right.
+            let second = record.more.contains_key(&format!("{kind}_error"));
+            let name = format!("{kind}_error{}", if second { "_2" } else { "" });
+            record.set(&name, wave.error().and_then(finite));
+        }
+    }
+    let exact = exact_holds(scene, run.time).is_ok();
+    let outcome = if run.completed() { "" } else { ": failed" };
+    let title =
+        format!("{}: {}, t = {}{outcome}", scene.name, method.title(), significant(run.time, 4));
+    RunReport {
+        caption: format!(
+            "{} ({}), {}: {settings}",
+            scene.name,
+            scene.source,
+            method_title(method.name())
+        ),
+        files: vec![(".csv", profile_csv(scene, run, exact))],
+        figure: Some(profile_figure(scene, run, exact).title(title)),
+        record,
     }
 }
 
@@ -174,7 +236,6 @@ fn waves_have_left(scene: &Scene, time: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::particle_profile::profile_figure;
 
     #[test]
     fn a_failed_run_has_a_reason_and_no_norms() {

@@ -30,6 +30,7 @@ pub mod record;
 pub mod report;
 pub mod run_record;
 pub mod stability_map;
+pub mod step_limit;
 pub mod step_map;
 pub mod study;
 pub mod subject;

@@ -7,8 +7,8 @@ use courant_simulation::scene::Scene;
 
 fn main() {
     let files: Vec<String> = std::env::args().skip(1).collect();
-    let scenes = match files.as_slice() {
-        [] => Scene::all().to_vec(),
+    let scenes: Vec<Scene> = match files.as_slice() {
+        [] => Scene::all().cloned().collect(),
         _ => files
             .iter()
             .map(|file| {

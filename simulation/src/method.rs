@@ -5,7 +5,7 @@ use crate::lagrangian::flux::{Exact, Flux, LagrangianFlux, ModifiedRoe, Rusanov}
 use crate::lagrangian::{LagrangianOptions, LagrangianScheme};
 use crate::march::Limits;
 use crate::particles::{self, MethodOptions, ParticleMethod};
-use crate::run::{Flowing, InvalidOptions, Reason, Run};
+use crate::run::{InvalidOptions, Lined, Reason, Run};
 use crate::scene::{Material, Scene};
 use std::ops::ControlFlow;
 
@@ -38,7 +38,7 @@ pub enum Method {
 
 /// A gas ready to march.
 pub(crate) struct Start {
-    pub evolution: Box<dyn Flowing + Send>,
+    pub evolution: Box<dyn Lined + Send>,
     /// Particles beyond the ends.
     pub waiting: [usize; 2],
     pub max_steps: usize,

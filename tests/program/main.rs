@@ -12,6 +12,7 @@ mod manners;
 mod probe;
 mod report;
 mod runs;
+mod scenes;
 mod subjects;
 
 fn courant(arguments: &[&str]) -> Output {

@@ -147,11 +147,11 @@ fn results(scene: &Cloud, runs: &[(usize, usize, CloudRun)]) -> Item {
             of("core_mass_error"),
             of("head_position_error"),
             of("head_scatter"),
-            significant(run.conservation.momentum, 2),
+            significant(run.run.conservation.momentum, 2),
             of("angular_momentum"),
-            run.steps,
-            run.counters.interactions,
-            run.attractions,
+            run.run.steps,
+            run.run.counters.interactions,
+            run.run.counters.attractions,
         ]
     });
     let [from, to] = RATE_WINDOW;

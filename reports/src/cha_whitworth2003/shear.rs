@@ -49,17 +49,16 @@ pub fn sections(detail: Detail) -> Vec<Section> {
 
 /// The velocity along the flow, as in the panels of the paper.
 fn figure(scene: &FieldScene, runs: &[FieldRun]) -> Item {
-    let panels = runs
-        .iter()
-        .zip(METHODS)
-        .map(|(run, (_, title, _))| profile_panel(scene, &run.profile, run.time).title(title));
+    let panels = runs.iter().zip(METHODS).map(|(run, (_, title, _))| {
+        profile_panel(scene, &run.run.profile, run.run.time).title(title)
+    });
     let figure = Figure::grid(3, 2).size(6.6, 7.4).panels(panels).legend_below();
     let data = runs.iter().enumerate();
-    let data = data.map(|(k, run)| (format!("figure_28_{k}.csv"), profile_csv(&run.profile)));
+    let data = data.map(|(k, run)| (format!("figure_28_{k}.csv"), profile_csv(&run.run.profile)));
     let caption = words![
-        "particles" = runs[0].profile.len(),
+        "particles" = runs[0].run.profile.len(),
         "lattice" = scene.lattice.name(),
-        "time" = significant(runs[0].time, 3)
+        "time" = significant(runs[0].run.time, 3)
     ];
     text().figure("figure_28", caption, figure, data.collect())
 }
@@ -76,7 +75,7 @@ fn results(runs: &[FieldRun]) -> Item {
             of("density_scatter"),
             of("viscosity"),
             of("viscosity_predicted"),
-            run.counters.interactions,
+            run.run.counters.interactions,
         ]
     });
     text().table("shear_results", &[], rows)

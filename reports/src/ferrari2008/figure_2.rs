@@ -9,7 +9,7 @@ use crate::paper_text::csv;
 use crate::{cells, words};
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
-    AdvectionRun, AdvectionScheme, Layout, Method, RunPlan, Scene, run,
+    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, Method, RunPlan, run,
 };
 
 const SCHEMES: [(AdvectionScheme, Marker, Color); 2] = [
@@ -18,25 +18,25 @@ const SCHEMES: [(AdvectionScheme, Marker, Color); 2] = [
 ];
 
 /// The scene, the periods travelled, and the run of each scheme.
-type Case = (Scene, u32, Vec<(RunPlan, AdvectionRun)>);
+type Case = (AdvectionScene, u32, Vec<(RunPlan, AdvectionRun)>);
 
 fn cases() -> Vec<Case> {
-    let runs = |scene: &Scene, periods: u32| {
+    let runs = |scene: &AdvectionScene, periods: u32| {
         SCHEMES.map(|(scheme, ..)| {
             let method =
                 Method { scheme, kernel: Kernel::CubicSpline, ratio: 2.0, courant_number: 1.0 };
             let plan = RunPlan {
-                scene: scene.clone(),
+                scene: AdvectionScene { end_time: f64::from(periods), ..scene.clone() },
                 method,
                 particles: 200,
-                periods: f64::from(periods),
                 layout: Layout::Uniform,
             };
             let result = run(&plan).expect("the numbers of the plan are in range");
             (plan, result)
         })
     };
-    let scenes = [Scene::Step, Scene::Gaussian];
+    let scenes = ["advection-step", "advection-gaussian"]
+        .map(|name| AdvectionScene::named(name).expect("it is in the list"));
     let pairs = scenes.into_iter().flat_map(|scene| [1, 5].map(|periods| (scene.clone(), periods)));
     pairs
         .map(|(scene, periods)| {
@@ -64,8 +64,8 @@ pub fn section() -> Section {
     text().section("title_figure_2", items)
 }
 
-fn title(scene: &Scene) -> &'static str {
-    if *scene == Scene::Step { "step" } else { "smooth hump" }
+fn title(scene: &AdvectionScene) -> &'static str {
+    if scene.name == "advection-step" { "step" } else { "smooth hump" }
 }
 
 fn panel(index: usize, (scene, periods, runs): &Case) -> Panel {
@@ -95,7 +95,7 @@ fn data_file((scene, periods, runs): &Case) -> (String, Vec<u8>) {
         row
     });
     let header = "position,exact,lax_wendroff_sph,godunov_sph";
-    (format!("figure_02_{}_{periods}.csv", scene.name()), csv(header, rows))
+    (format!("figure_02_{}_{periods}.csv", scene.name), csv(header, rows))
 }
 
 fn norms(cases: &[Case]) -> Item {
@@ -149,7 +149,7 @@ mod tests {
             let (seen, exact) = (godunov.comparison.extrema, godunov.comparison.exact_extrema);
             // A convex combination of the data leaves their range by rounding only.
             assert!(seen.min >= exact.min - 1e-13 && seen.max <= exact.max + 1e-13, "{periods}");
-            if scene == Scene::Step {
+            if scene.name == "advection-step" {
                 assert!(lax_wendroff.comparison.extrema.max > 1.02);
             } else {
                 assert!(lax_wendroff.comparison.l1 < godunov.comparison.l1);

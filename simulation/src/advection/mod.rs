@@ -48,8 +48,8 @@ pub use profile::{Comparison, Extrema, total_variation};
 pub use published::{CriticalGrowth, growth_at};
 pub use random::SplitMix64;
 pub use ring::{Ring, RingError};
-pub use run::{AdvectionRun, Layout, Outcome, PlanError, RunPlan, run, run_with};
-pub use scene::{Harmonic, Scene, UnknownScene};
+pub use run::{AdvectionRun, Layout, PlanError, RunPlan, run, run_with};
+pub use scene::{AdvectionScene, Piece};
 pub use scheme::{AdvectionScheme, Discretisation, UnknownScheme};
 pub use stepper::{PathKind, Stepper};
 

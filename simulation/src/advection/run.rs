@@ -5,10 +5,10 @@ use super::method::{Method, MethodError};
 use super::particle_path::ParticlePath;
 use super::profile::Comparison;
 use super::ring::{Ring, RingError};
-use super::scene::Scene;
+use super::scene::AdvectionScene;
 use super::stepper::Stepper;
-use crate::march::{Evolution, Limits, march};
-use crate::run::Reason;
+use crate::march::{Evolution, Limits, March, march};
+use crate::run::{Conservation, Counters, Failure, Penetration, Promise, Reason, Run};
 use std::ops::ControlFlow;
 
 /// A run that will need more steps than this does not start.
@@ -36,15 +36,13 @@ pub enum Layout {
 /// Everything a run needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunPlan {
-    /// The data.
-    pub scene: Scene,
+    /// The data, and when to stop.
+    pub scene: AdvectionScene,
     /// The scheme. Its Courant number is an upper bound: the one used lands on the end time in equal
     /// steps.
     pub method: Method,
-    /// How many particles on the unit interval.
+    /// How many particles on the period.
     pub particles: usize,
-    /// The end time, which is also the number of periods travelled.
-    pub periods: f64,
     /// The positions.
     pub layout: Layout,
 }
@@ -59,36 +57,19 @@ pub enum PlanError {
     #[error(transparent)]
     Ring(#[from] RingError),
     /// The end time.
-    #[error("the number of periods {0} must be positive and finite")]
-    Periods(f64),
+    #[error("the end time {0} must be positive and finite")]
+    EndTime(f64),
     /// More steps than a run may take.
     #[error("{0:.3e} steps would be needed, at most {MOST_STEPS:.0e} are run")]
     Steps(f64),
 }
 
-/// How a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// At the end time.
-    Completed,
-    /// A value was no longer finite; seen after this many steps.
-    Overflowed {
-        /// Steps done.
-        steps: u64,
-    },
-    /// The observer said so, after this many steps.
-    Cancelled {
-        /// Steps done.
-        steps: u64,
-    },
-}
-
 /// What a run gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AdvectionRun {
-    /// How it ended.
-    pub outcome: Outcome,
-    /// `ξ_i`, ascending in `[0, 1)`.
+    /// How it went; the drift of the mass is that of the mean, over the mean at the start.
+    pub run: Run<()>,
+    /// Where the particles are, ascending within the period.
     pub positions: Vec<f64>,
     /// The values at the start.
     pub initial: Vec<f64>,
@@ -96,14 +77,8 @@ pub struct AdvectionRun {
     pub computed: Vec<f64>,
     /// The exact solution at the time reached.
     pub exact: Vec<f64>,
-    /// The time reached.
-    pub time: f64,
-    /// Steps done.
-    pub steps: u64,
     /// The Courant number used: at most the plan's.
     pub courant_number: f64,
-    /// Terms with another particle's value added up in all: the work.
-    pub interactions: u64,
     /// Errors and diagnostics; not numbers when the values overflowed.
     pub comparison: Comparison,
 }
@@ -113,7 +88,7 @@ pub struct AdvectionRun {
 /// A plan whose Courant number divides the way exactly must get it back: a quotient within rounding of
 /// an integer is taken as that integer.
 fn equal_steps(plan: &RunPlan) -> (f64, f64) {
-    let way = plan.periods * plan.particles as f64;
+    let way = plan.scene.periods() * plan.particles as f64;
     let steps = way / plan.method.courant_number;
     let steps = (steps * (1.0 - 4.0 * f64::EPSILON)).ceil().max(1.0);
     (steps, way / steps)
@@ -126,8 +101,9 @@ impl RunPlan {
     /// When a number is out of range, or too many steps would be needed.
     pub fn check(&self) -> Result<f64, PlanError> {
         self.method.check()?;
-        if !(self.periods > 0.0 && self.periods.is_finite()) {
-            return Err(PlanError::Periods(self.periods));
+        let end = self.scene.end_time;
+        if !(end > 0.0 && end.is_finite()) {
+            return Err(PlanError::EndTime(end));
         }
         match equal_steps(self) {
             (steps, courant_number) if steps <= MOST_STEPS => Ok(courant_number),
@@ -140,14 +116,14 @@ impl RunPlan {
 ///
 /// ```
 /// use courant_analysis::kernel::Kernel;
-/// use courant_simulation::advection::{AdvectionScheme, run, Layout, Method, RunPlan, Scene};
+/// use courant_simulation::advection::{AdvectionScene, AdvectionScheme, run, Layout, Method, RunPlan};
 /// let method = Method {
 ///     scheme: AdvectionScheme::GodunovSph, kernel: Kernel::CubicSpline, ratio: 2.0, courant_number: 1.0,
 /// };
-/// let plan =
-///     RunPlan { scene: Scene::Step, method, particles: 200, periods: 1.0, layout: Layout::Lattice };
+/// let scene = AdvectionScene::named("advection-step").unwrap();
+/// let plan = RunPlan { scene, method, particles: 200, layout: Layout::Lattice };
 /// let result = run(&plan).unwrap();
-/// assert_eq!((result.steps, result.interactions), (200, 200 * 200 * 3));
+/// assert_eq!((result.run.steps, result.run.counters.interactions), (200, 200 * 200 * 3));
 /// assert!(result.comparison.extrema.max <= 1.0 + 1e-12);   // monotone below C = 8/5
 /// ```
 ///
@@ -166,8 +142,8 @@ pub fn run_with(
     mut observe: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<AdvectionRun, PlanError> {
     let prepared = Prepared::new(plan)?;
-    let (stepper, outcome, steps) = prepared.advance(&mut observe);
-    Ok(prepared.result(&*stepper, outcome, steps))
+    let (stepper, march) = prepared.advance(&mut observe);
+    Ok(prepared.result(&*stepper, &march))
 }
 
 /// A plan that was found in range, with its particles and their data: all that does not count as cost.
@@ -190,7 +166,8 @@ impl<'a> Prepared<'a> {
         };
         let (total, courant_number) = equal_steps(plan);
         let method = Method { courant_number, ..plan.method };
-        let initial = ring.positions().iter().map(|&x| plan.scene.initial(x)).collect();
+        let places = ring.positions().iter().map(|&part| plan.scene.place(part));
+        let initial = places.map(|x| plan.scene.initial(x)).collect();
         Ok(Self { plan, method, ring, initial, total: total as u64 })
     }
 
@@ -198,7 +175,7 @@ impl<'a> Prepared<'a> {
     pub(super) fn advance(
         &self,
         observe: &mut impl FnMut(f64) -> ControlFlow<()>,
-    ) -> (Box<dyn Stepper>, Outcome, u64) {
+    ) -> (Box<dyn Stepper>, March) {
         let mut stepper: Box<dyn Stepper> = match self.plan.layout {
             Layout::Lattice => Box::new(LatticePath::new(self.method, self.plan.particles)),
             Layout::Uniform | Layout::Disordered { .. } => {
@@ -206,47 +183,50 @@ impl<'a> Prepared<'a> {
             }
         };
         stepper.set_state(&self.initial);
-        let step = self.plan.periods / self.total as f64;
+        let end = self.plan.scene.end_time;
+        let step = end / self.total as f64;
         let mut evolution = EqualSteps { stepper, step, taken: 0 };
         let limits = Limits { steps: usize::MAX };
-        let end = march(&mut evolution, self.plan.periods, limits, |_, time| observe(time));
-        let steps = evolution.taken;
-        let outcome = if evolution.check().is_err() {
-            Outcome::Overflowed { steps }
-        } else if end.cancelled {
-            Outcome::Cancelled { steps }
-        } else {
-            Outcome::Completed
-        };
-        (evolution.stepper, outcome, steps)
+        let mut march = march(&mut evolution, end, limits, |_, time| observe(time));
+        // The last look was up to so many steps ago.
+        if let (None, Err(reason)) = (march.failure, evolution.check()) {
+            march.failure = Some(Failure { reason, time: march.time, step: march.steps });
+        }
+        (evolution.stepper, march)
     }
 
     /// Sets the end of a run beside the exact solution.
-    pub(super) fn result(
-        self,
-        stepper: &dyn Stepper,
-        outcome: Outcome,
-        steps: u64,
-    ) -> AdvectionRun {
-        let Self { plan, method, ring, initial, total } = self;
-        let time = match outcome {
-            Outcome::Completed => plan.periods,
-            Outcome::Overflowed { .. } | Outcome::Cancelled { .. } => {
-                plan.periods * steps as f64 / total as f64
-            }
-        };
-        let computed = stepper.state().to_vec();
-        let exact: Vec<f64> = ring.positions().iter().map(|&x| plan.scene.exact(x, time)).collect();
+    pub(super) fn result(self, stepper: &dyn Stepper, march: &March) -> AdvectionRun {
+        let Self { plan, method, ring, mut initial, .. } = self;
+        let time = march.time;
+        let mut computed = stepper.state().to_vec();
+        let mut positions: Vec<f64> =
+            ring.positions().iter().map(|&part| plan.scene.place(part)).collect();
+        let mut exact: Vec<f64> = positions.iter().map(|&x| plan.scene.exact(x, time)).collect();
         let comparison = Comparison::new(&initial, &computed, &exact, ring.volumes());
+        let mean = initial.iter().zip(ring.volumes()).map(|(u, v)| u * v).sum::<f64>();
+        let conservation =
+            Conservation { mass: comparison.mean_drift / mean, ..Conservation::default() };
+        let counters = Counters {
+            interactions: march.steps as u64 * stepper.interactions_per_step(),
+            ..Counters::default()
+        };
+        let penetration = Penetration::default();
+        let mut run = Run::after(march, (), conservation, Promise::RoundOff, counters, penetration);
+        // A mean need not be kept: Lax–Wendroff SPH drifts by construction where its weights do not add up to 0.
+        run.warnings.clear();
+        if plan.scene.velocity < 0.0 {
+            // The way around is from right to left.
+            for column in [&mut positions, &mut initial, &mut computed, &mut exact] {
+                column.reverse();
+            }
+        }
         AdvectionRun {
-            outcome,
-            interactions: steps * stepper.interactions_per_step(),
-            positions: ring.positions().to_vec(),
+            run,
+            positions,
             initial,
             computed,
             exact,
-            time,
-            steps,
             courant_number: method.courant_number,
             comparison,
         }

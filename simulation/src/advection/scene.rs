@@ -1,123 +1,75 @@
-//! Initial data on the periodic unit interval, and their exact solutions.
+//! What is carried along a periodic line, and the exact solutions.
 
-use super::random::SplitMix64;
-use std::f64::consts::TAU;
+use crate::scene::Quantity;
 
-/// One wave `amplitude · cos(2π wave_number ξ + phase)`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Harmonic {
-    /// Waves in the period.
-    pub wave_number: usize,
-    /// The amplitude.
-    pub amplitude: f64,
-    /// The phase at `ξ = 0`, in radians.
-    pub phase: f64,
-}
-
-/// What is advected with speed 1 around `[0, 1)`.
+/// A quantity up to an edge.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Scene {
-    /// 1 up to `ξ = 1/2`, 1/4 beyond: Ferrari et al. 2008 (2.28).
-    Step,
-    /// `1/4 + exp(−8 (4(ξ − 1/2))²)`: Ferrari et al. 2008 (2.29). Its periodic continuation has a kink of
-    /// slope `1e-12` at `ξ = 0`, far below any error here.
-    Gaussian,
-    /// 1 on `[1/4, 3/4)`, 0 elsewhere.
-    SquareWave,
-    /// A sum of waves: one mode, all of them, random phases.
-    Harmonics(Vec<Harmonic>),
+pub struct Piece {
+    /// The right edge.
+    pub to: f64,
+    /// The quantity.
+    pub value: Quantity,
 }
 
-/// A name that is no scene's.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("there is no advection scene `{0}`")]
-pub struct UnknownScene(pub String);
-
-impl Scene {
-    /// The scenes that need no parameters.
-    pub const NAMED: [Self; 3] = [Self::Step, Self::Gaussian, Self::SquareWave];
-
-    /// `cos 2πmξ`.
-    pub fn mode(wave_number: usize) -> Self {
-        Self::Harmonics(vec![Harmonic { wave_number, amplitude: 1.0, phase: 0.0 }])
-    }
-
-    /// Waves `1, …, highest`, all of amplitude 1 and phase 0: the band-limited spike.
-    pub fn all_modes(highest: usize) -> Self {
-        let wave = |wave_number| Harmonic { wave_number, amplitude: 1.0, phase: 0.0 };
-        Self::Harmonics((1..=highest).map(wave).collect())
-    }
-
-    /// Waves `1, …, highest` of amplitude 1 with phases drawn from a seed: noise with a known spectrum.
-    pub fn random_phases(highest: usize, seed: u64) -> Self {
-        let mut random = SplitMix64::new(seed);
-        let wave = |wave_number| {
-            let phase = TAU * random.unit();
-            Harmonic { wave_number, amplitude: 1.0, phase }
-        };
-        Self::Harmonics((1..=highest).map(wave).collect())
-    }
-
+/// `u_t + a u_x = 0` on a periodic interval, as data.
+///
+/// ```
+/// use courant_simulation::advection::AdvectionScene;
+/// let step = AdvectionScene::named("advection-step").expect("it is in the list");
+/// assert_eq!((step.initial(0.25), step.initial(0.75), step.initial(1.25)), (1.0, 0.25, 1.0));
+/// assert_eq!((step.exact(0.1, 0.25), step.periods()), (0.25, 1.0));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct AdvectionScene {
     /// The name used on the command line and in files.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Step => "advection-step",
-            Self::Gaussian => "advection-gaussian",
-            Self::SquareWave => "advection-square",
-            Self::Harmonics(_) => "advection-waves",
-        }
-    }
-
-    /// Where the scene comes from.
-    pub fn source(&self) -> &'static str {
-        match self {
-            Self::Step => "Ferrari et al. 2008 (2.28)",
-            Self::Gaussian => "Ferrari et al. 2008 (2.29)",
-            Self::SquareWave | Self::Harmonics(_) => "standard test data",
-        }
-    }
-
-    /// The data at a position, continued with period 1.
-    pub fn initial(&self, position: f64) -> f64 {
-        let x = position - position.floor();
-        match self {
-            // The period starts on the high side of the second jump: (2.28) gives 1 at ξ = 0.
-            Self::Step => {
-                if x <= 0.5 {
-                    1.0
-                } else {
-                    0.25
-                }
-            }
-            Self::Gaussian => {
-                let distance = 4.0 * (x - 0.5);
-                0.25 + (-8.0 * distance * distance).exp()
-            }
-            Self::SquareWave => f64::from(u8::from((0.25..0.75).contains(&x))),
-            Self::Harmonics(waves) => waves
-                .iter()
-                .map(|wave| {
-                    // Whole turns are dropped before the cosine, which would lose them to rounding.
-                    let turns = wave.wave_number as f64 * x;
-                    wave.amplitude * (TAU * (turns - turns.floor()) + wave.phase).cos()
-                })
-                .sum(),
-        }
-    }
-
-    /// The exact solution `u_0(ξ − t)` of `u_t + u_ξ = 0`. Within rounding of a jump the side is open.
-    pub fn exact(&self, position: f64, time: f64) -> f64 {
-        self.initial(position - time)
-    }
+    pub name: String,
+    /// What happens, in a line.
+    pub description: String,
+    /// Where the scene comes from, and what had to be chosen.
+    pub source: String,
+    /// The period.
+    pub domain: [f64; 2],
+    /// `a`.
+    pub velocity: f64,
+    /// The quantity at the start, from left to right.
+    pub profile: Vec<Piece>,
+    /// When to stop.
+    pub end_time: f64,
+    /// The customary number of particles.
+    pub particles: usize,
+    /// The customary method, if the file names one.
+    pub method: Option<String>,
 }
 
-impl std::str::FromStr for Scene {
-    type Err = UnknownScene;
-    fn from_str(text: &str) -> Result<Self, UnknownScene> {
-        let wanted = text.trim().to_ascii_lowercase();
-        Self::NAMED
-            .into_iter()
-            .find(|scene| scene.name() == wanted)
-            .ok_or_else(|| UnknownScene(text.into()))
+impl AdvectionScene {
+    /// The length of the period.
+    pub fn length(&self) -> f64 {
+        self.domain[1] - self.domain[0]
+    }
+
+    /// How many periods are travelled until the end.
+    pub fn periods(&self) -> f64 {
+        self.velocity.abs() * self.end_time / self.length()
+    }
+
+    /// The place of a part of the way around the period, in the direction of the motion.
+    pub(super) fn place(&self, part: f64) -> f64 {
+        match self.velocity > 0.0 {
+            true => self.domain[0] + part * self.length(),
+            false => self.domain[1] - part * self.length(),
+        }
+    }
+
+    /// The quantity at the start, continued periodically. At an edge it is that beyond it.
+    pub fn initial(&self, x: f64) -> f64 {
+        let part = (x - self.domain[0]) / self.length();
+        let x = self.domain[0] + (part - part.floor()) * self.length();
+        let piece = self.profile.iter().find(|piece| x < piece.to).or(self.profile.last());
+        piece.map_or(f64::NAN, |piece| piece.value.at(x))
+    }
+
+    /// The exact solution `u_0(x − a t)`. Within rounding of a jump the side is open.
+    pub fn exact(&self, x: f64, time: f64) -> f64 {
+        self.initial(x - self.velocity * time)
     }
 }

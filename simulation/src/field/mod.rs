@@ -1,4 +1,4 @@
-//! Flows in two and three dimensions in a periodic box, with exact solutions: a shear, a vortex, an explosion.
+//! Flows in two and three dimensions in a box, with exact solutions: a shear, a vortex, an explosion.
 //!
 //! A [`FieldScene`] is data; [`run_field`] lets a particle method run it.
 
@@ -10,7 +10,7 @@ mod shear_viscosity;
 
 pub use measures::Measure;
 pub use run::{FieldErrors, FieldProfile, FieldRun, Sample, run_field};
-pub use scene::{FieldFlow, FieldScene, FieldSolution, FieldState, InvalidField};
+pub use scene::{FieldFlow, FieldScene, FieldSolution, FieldState, VORTEX_RADIUS};
 pub use sedov::SedovBlast;
 pub use shear_viscosity::{ShearResponse, shear_response};
 

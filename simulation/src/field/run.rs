@@ -7,10 +7,9 @@ use crate::boundary::Boundary;
 use crate::march::{Limits, march};
 use crate::particles::{
     Domain, Gas, MethodOptions, PairForce, ParticleEvolution, ParticleSystem, Particles, Smoothing,
-    SmoothingKernel, StepSharing, Task, ThermalState, dispatch, table,
+    SmoothingKernel, Task, ThermalState, dispatch, table,
 };
-use crate::run::judgement::warnings;
-use crate::run::{Conservation, Counters, Failure, InvalidOptions, Penetration};
+use crate::run::{Conservation, Flowing, InvalidOptions, Penetration, Run};
 use crate::scene::Material;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -72,23 +71,9 @@ pub struct Sample {
 pub struct FieldRun {
     /// The state at the start.
     pub initial: FieldProfile,
-    /// The state at [`time`](Self::time).
-    pub profile: FieldProfile,
-    /// How many steps were taken; with block steps, substeps.
-    pub steps: u64,
-    /// How many steps, or blocks, broke and were repeated with half their length.
-    pub rejected: usize,
-    /// The time reached.
-    pub time: f64,
-    /// Why the run broke down; `None` if it reached the end.
-    pub failure: Option<Failure>,
-    /// Conservation.
-    pub conservation: Conservation,
-    /// What the user should know before believing the numbers.
-    pub warnings: Vec<String>,
-    /// Work.
-    pub counters: Counters,
-    /// Errors at the time reached.
+    /// The state at the end, and how the run came there.
+    pub run: Run<FieldProfile>,
+    /// Errors at the time reached; `None` where there is no exact solution.
     pub errors: Option<FieldErrors>,
     /// Measures at equal intervals of time, the start and the end included.
     pub history: Vec<Sample>,
@@ -97,11 +82,6 @@ pub struct FieldRun {
 }
 
 impl FieldRun {
-    /// Whether the run reached its end time.
-    pub fn completed(&self) -> bool {
-        self.failure.is_none()
-    }
-
     /// The measure of that name at the end.
     pub fn measure(&self, name: &str) -> Option<f64> {
         self.measures.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
@@ -119,14 +99,14 @@ impl FieldRun {
 /// shear.end_time = 0.1;
 /// let options = shear.options(ParticleMethod::Gph3);
 /// let run = run_field(&shear, 400, &options, &mut |_| ControlFlow::Continue(()))?;
-/// assert!(run.completed() && run.conservation.momentum < 1e-13);
+/// assert!(run.run.completed() && run.run.conservation.momentum < 1e-13);
 /// // The Riemann problems brake the flow.
 /// assert!(run.measure("kinetic_energy_left").is_some_and(|left| left < 0.95));
 /// # Ok::<(), courant_simulation::run::InvalidOptions>(())
 /// ```
 ///
 /// # Errors
-/// [`InvalidOptions`] when the run cannot start. A run that breaks down is no error: see [`FieldRun::failure`].
+/// [`InvalidOptions`] when the run cannot start. A run that breaks down is no error: see [`Run::failure`].
 pub fn run_field(
     scene: &FieldScene,
     particles: usize,
@@ -166,20 +146,12 @@ impl<const D: usize> Task for Plan<'_, D> {
         let mut system = prepare::<D, G, F>(scene, particles, options, gas, &force);
         // A failure shows up again at the first step.
         let _ = system.update_fields();
-        let start = Totals::of(&system);
         let initial = profile(&system);
         let meter = Meter::new(scene, &system);
         let mut history = vec![Sample { time: 0.0, measures: meter.measure(&system, 0.0) }];
-        let evolution = match options.sharing {
-            StepSharing::Global => {
-                let table = table(options.integrator)?;
-                ParticleEvolution::global(system, force, &table, options.courant)
-            }
-            StepSharing::Block { levels } => {
-                ParticleEvolution::blocks(system, force, levels, options.courant)
-            }
-        };
-        let mut evolution = evolution.with_work(options.work);
+        let table = table(options.integrator)?;
+        let mut evolution = ParticleEvolution::stepped(system, force, options, &table);
+        let start = evolution.totals();
         let limits = Limits { steps: options.max_steps };
         limits.check(&mut evolution, scene.end_time)?;
         let march = march(&mut evolution, scene.end_time, limits, |state, time| {
@@ -190,22 +162,17 @@ impl<const D: usize> Task for Plan<'_, D> {
             }
             observe(time)
         });
-        let system = evolution.system();
-        let profile = profile(system);
-        let conservation = start.conservation(&Totals::of(system));
-        let promise = options.work.promise();
+        let profile = profile(evolution.system());
+        let errors = errors::<D>(scene, &profile, march.time);
+        let conservation = Conservation::between(&start, &evolution.totals());
+        let (promise, counters) = (evolution.promise(), evolution.counters());
+        let run =
+            Run::after(&march, profile, conservation, promise, counters, Penetration::default());
         Ok(FieldRun {
             initial,
-            errors: errors::<D>(scene, &profile, march.time),
-            profile,
-            steps: evolution.substeps().unwrap_or(march.steps as u64),
-            rejected: march.rejected,
-            time: march.time,
-            failure: march.failure,
-            conservation,
-            warnings: warnings(&conservation, promise, march.steps, &Penetration::default()),
-            counters: system.counters,
-            measures: meter.measure(system, march.time),
+            run: run.with_substeps(evolution.substeps()),
+            errors,
+            measures: meter.measure(evolution.system(), march.time),
             history,
         })
     }
@@ -254,7 +221,8 @@ pub(super) fn prepare<const D: usize, G: Gas, F: PairForce>(
         smoothing: vec![options.eta * spacing; count],
         position: filling.positions,
     };
-    let domain = Domain::new(lower, filling.upper, Boundary::Periodic);
+    let boundary = scene.boundary.as_slice().try_into().expect("a pair of ends for each axis");
+    let domain = Domain { lower, upper: filling.upper, boundary };
     ParticleSystem::new(gas, particles, domain, kernel, Smoothing::adaptive(options.eta), force)
 }
 
@@ -268,51 +236,23 @@ fn with_viscosity(
     let response = shear_response(scene, particles, options);
     if let (Some(response), Some(left)) = (response, run.measure("amplitude_left")) {
         let wave = 2.0 * PI / (scene.domain[1][0] - scene.domain[0][0]);
-        if run.time > 0.0 && left > 0.0 {
-            run.measures.push(("viscosity", -left.ln() / (wave * wave * run.time)));
+        let time = run.run.time;
+        if time > 0.0 && left > 0.0 {
+            run.measures.push(("viscosity", -left.ln() / (wave * wave * time)));
         }
         run.measures.push(("viscosity_predicted", response.viscosity));
     }
     run
 }
 
-struct Totals<const D: usize> {
-    mass: f64,
-    momentum: [f64; D],
-    /// What the momentum would be if everything moved one way.
-    momentum_scale: f64,
-    energy: Option<f64>,
-}
-
-impl<const D: usize> Totals<D> {
-    fn of<G: Gas>(system: &ParticleSystem<D, G>) -> Self {
-        let state = &system.particles;
-        let speed = |i: usize| state.velocity[i].iter().map(|v| v * v).sum::<f64>().sqrt();
-        let scale = |i: usize| state.mass[i] * (speed(i) + system.sound_speed()[i]);
-        Self {
-            mass: state.mass.iter().sum(),
-            momentum: system.momentum(),
-            momentum_scale: (0..state.len()).map(scale).sum(),
-            energy: system.energy(),
-        }
-    }
-
-    fn conservation(&self, end: &Self) -> Conservation {
-        let change = (0..D).map(|axis| (end.momentum[axis] - self.momentum[axis]).powi(2));
-        Conservation {
-            mass: (end.mass - self.mass) / self.mass,
-            momentum: change.sum::<f64>().sqrt() / self.momentum_scale,
-            energy: self.energy.zip(end.energy).map(|(a, b)| (b - a) / a),
-            volume: None,
-        }
-    }
-}
-
 fn profile<const D: usize, G: Gas>(system: &ParticleSystem<D, G>) -> FieldProfile {
     let (state, domain) = (&system.particles, system.domain());
-    let inside = |axis: usize, x: f64| {
-        domain.lower[axis]
-            + (x - domain.lower[axis]).rem_euclid(domain.upper[axis] - domain.lower[axis])
+    let inside = |axis: usize, x: f64| match domain.boundary[axis] {
+        [Boundary::Periodic, _] => {
+            let lower = domain.lower[axis];
+            lower + (x - lower).rem_euclid(domain.upper[axis] - lower)
+        }
+        _ => x,
     };
     let column = |of: &dyn Fn(usize, usize) -> f64| -> Vec<Vec<f64>> {
         (0..D).map(|axis| (0..state.len()).map(|i| of(i, axis)).collect()).collect()

@@ -52,7 +52,7 @@ pub fn shear_response(
     particles: usize,
     options: &MethodOptions,
 ) -> Option<ShearResponse> {
-    let FieldFlow::Shear { density, .. } = scene.flow else { return None };
+    let FieldFlow::Shear { density, pressure, .. } = scene.flow else { return None };
     let (lower, filling) = scene.fill::<2>(particles)?;
     let edge = [filling.upper[0] - lower[0], filling.upper[1] - lower[1]];
     let wave = 2.0 * PI / edge[0];
@@ -79,9 +79,7 @@ pub fn shear_response(
     }
     let (sound, gamma) = match scene.gas {
         Material::Isothermal(gas) => (gas.sound_speed, 1.0),
-        Material::Ideal(gas) => {
-            (gas.sound_speed(density, scene.uniform_pressure(density)), gas.gamma())
-        }
+        Material::Ideal(gas) => (gas.sound_speed(density, pressure), gas.gamma()),
     };
     let viscosity = &options.viscosity;
     let strength = |r: f64| match options.method {

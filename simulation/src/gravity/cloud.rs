@@ -2,54 +2,9 @@
 
 use super::expansion_wave::{ExpansionWave, Similarity};
 use super::sphere::Distribution;
-use crate::particles::IsothermalGas;
-use crate::riemann::IdealGas;
 use crate::scene::Material;
 use serde::Deserialize;
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::LazyLock;
-
-/// The gas of a cloud.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(untagged, deny_unknown_fields)]
-enum GasData {
-    /// Isothermal.
-    Isothermal { sound_speed: f64 },
-    /// Ideal, with the same specific internal energy everywhere at the start.
-    Ideal { gamma: f64, energy: f64 },
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SphereData {
-    mass: f64,
-    radius: f64,
-    /// `ρ ∝ r^(−n)`.
-    exponent: Option<f64>,
-    /// `ξ` of Bonnor and Ebert.
-    extent: Option<f64>,
-    /// Whether the particles are evened out in the equilibrium the sphere is in.
-    #[serde(default)]
-    equilibrium: bool,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct GravityData {
-    constant: f64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SinkData {
-    radius: f64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OutsideData {
-    pressure: f64,
-}
 
 /// What the flow is known to do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
@@ -63,21 +18,46 @@ pub enum Known {
     FreeFall,
 }
 
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CloudData {
-    name: String,
-    description: String,
-    source: String,
-    dimension: u32,
-    end_time: f64,
-    particles: usize,
-    exact: Option<Known>,
-    gas: GasData,
-    sphere: SphereData,
-    gravity: GravityData,
-    sink: Option<SinkData>,
-    outside: Option<OutsideData>,
+impl Known {
+    /// What a cloud would have to be for this to be known of it, where it is not.
+    pub fn demand(self, cloud: &Cloud) -> Option<String> {
+        let near = |value: f64, wanted: f64| (value / wanted - 1.0).abs() < 1e-3;
+        let balanced = cloud
+            .sound_speed()
+            .zip(cloud.distribution.balance())
+            .map(|(c, balance)| balance * c * c * cloud.radius / cloud.constant);
+        let stands = balanced.is_some_and(|mass| near(cloud.mass, mass));
+        let mass = balanced.map_or_else(String::new, |mass| format!(", here sphere.mass = {mass}"));
+        let held = cloud.outside.zip(cloud.edge_pressure());
+        let pressure =
+            held.map_or_else(String::new, |(_, edge)| format!(", here outside.pressure = {edge}"));
+        match self {
+            Self::ExpansionWave => {
+                let singular = cloud.distribution == Distribution::PowerLaw(2.0);
+                (!(singular && stands && cloud.sink.is_some())).then(|| {
+                    format!("of an isothermal sphere with exponent = 2, a [sink], and M = 2 c² R/G{mass}")
+                })
+            }
+            Self::Static if !stands => {
+                Some(format!("of an isothermal sphere with the mass of equilibrium{mass}"))
+            }
+            Self::Static => {
+                let rests = cloud.sink.is_none() && held.is_some_and(|(p, edge)| near(p, edge));
+                (!rests).then(|| {
+                    format!("without a [sink], and with the pressure of the edge outside{pressure}")
+                })
+            }
+            Self::FreeFall => {
+                let heat = cloud.sound_speed().map_or(cloud.energy, |c| c * c);
+                let cold = heat * cloud.radius < 1e-3 * cloud.constant * cloud.mass;
+                let uniform = cloud.distribution == Distribution::PowerLaw(0.0);
+                let free = cloud.outside.is_none() && cloud.sink.is_none();
+                (!(uniform && cold && free)).then(|| {
+                    "of a cold sphere with exponent = 0, without [outside] and [sink]".into()
+                })
+            }
+        }
+    }
 }
 
 /// A sphere of gas at rest under its own gravity.
@@ -119,122 +99,11 @@ pub struct Cloud {
     pub end_time: f64,
     /// The customary number of particles.
     pub particles: usize,
+    /// The customary method, if the file names one.
+    pub method: Option<String>,
 }
-
-/// A file that is no cloud.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum InvalidCloud {
-    /// It is not in the format.
-    #[error("{0}")]
-    Format(String),
-    /// A number that must be positive is not, or is not finite.
-    #[error("{name} = {value}: a finite number above 0 is needed")]
-    NotPositive {
-        /// Its name.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// A cloud has three dimensions.
-    #[error("dimension = {0}: a sphere with gravity has 3")]
-    Dimension(u32),
-    /// The distribution is given twice, or not at all, or has no finite mass.
-    #[error("sphere: either exponent, from 0 to below 3, or extent, above 0, is needed")]
-    Distribution,
-    /// No such gas.
-    #[error("gamma = {0}: a number above 1 is needed")]
-    Gamma(f64),
-}
-
-/// The files in the tree.
-const FILES: [&str; 4] = [
-    include_str!("../../scenes/sis-collapse.toml"),
-    include_str!("../../scenes/bonnor-ebert.toml"),
-    include_str!("../../scenes/cold-sphere.toml"),
-    include_str!("../../scenes/evrard.toml"),
-];
 
 impl Cloud {
-    /// All clouds in the tree.
-    pub fn all() -> &'static [Self] {
-        static ALL: LazyLock<Vec<Cloud>> = LazyLock::new(|| {
-            let read = |text| Cloud::read(text).expect("the scenes in the tree are tested");
-            FILES.into_iter().map(read).collect()
-        });
-        &ALL
-    }
-
-    /// The cloud of that name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::all().iter().find(|cloud| cloud.name == name).cloned()
-    }
-
-    /// A cloud from a file's text.
-    ///
-    /// # Errors
-    /// [`InvalidCloud`] names the first thing that does not make sense.
-    ///
-    /// ```
-    /// use courant_simulation::gravity::Cloud;
-    /// let error = Cloud::read("name = \"mine\"").unwrap_err().to_string();
-    /// assert!(error.contains("missing field"), "{error}");
-    /// ```
-    pub fn read(text: &str) -> Result<Self, InvalidCloud> {
-        let data: CloudData =
-            toml::from_str(text).map_err(|error| InvalidCloud::Format(error.message().into()))?;
-        let mut numbers = vec![
-            ("end_time", data.end_time),
-            ("sphere.mass", data.sphere.mass),
-            ("sphere.radius", data.sphere.radius),
-            ("gravity.constant", data.gravity.constant),
-        ];
-        let (material, energy) = match data.gas {
-            GasData::Isothermal { sound_speed } => {
-                numbers.push(("gas.sound_speed", sound_speed));
-                (Material::Isothermal(IsothermalGas { sound_speed }), 0.0)
-            }
-            GasData::Ideal { gamma, energy } => {
-                numbers.push(("gas.energy", energy));
-                let gas = IdealGas::new(gamma).map_err(|_| InvalidCloud::Gamma(gamma))?;
-                (Material::Ideal(gas), energy)
-            }
-        };
-        numbers.extend(data.sink.map(|sink| ("sink.radius", sink.radius)));
-        numbers.extend(data.outside.map(|outside| ("outside.pressure", outside.pressure)));
-        for (name, value) in numbers {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(InvalidCloud::NotPositive { name, value });
-            }
-        }
-        if data.dimension != 3 {
-            return Err(InvalidCloud::Dimension(data.dimension));
-        }
-        let distribution = match (data.sphere.exponent, data.sphere.extent) {
-            (Some(n), None) if (0.0..3.0).contains(&n) => Distribution::PowerLaw(n),
-            (None, Some(extent)) if extent.is_finite() && extent > 0.0 => {
-                Distribution::BonnorEbert(extent)
-            }
-            _ => return Err(InvalidCloud::Distribution),
-        };
-        Ok(Self {
-            name: data.name,
-            description: data.description,
-            source: data.source,
-            material,
-            energy,
-            distribution,
-            mass: data.sphere.mass,
-            radius: data.sphere.radius,
-            equilibrium: data.sphere.equilibrium,
-            constant: data.gravity.constant,
-            sink: data.sink.map(|sink| sink.radius),
-            outside: data.outside.map(|outside| outside.pressure),
-            known: data.exact,
-            end_time: data.end_time,
-            particles: data.particles,
-        })
-    }
-
     /// The mean density.
     pub fn mean_density(&self) -> f64 {
         self.mass / (4.0 / 3.0 * PI * self.radius.powi(3))

@@ -19,24 +19,13 @@ fn run(cloud: &Cloud, count: usize, options: &MethodOptions) -> CloudRun {
 }
 
 #[test]
-fn scenes_say_what_they_hold_and_bad_ones_what_they_lack() {
-    for cloud in Cloud::all() {
+fn the_medium_presses_like_the_gas_at_the_edge_of_a_sphere_in_equilibrium() {
+    let names = ["sis-collapse", "bonnor-ebert", "cold-sphere", "evrard"];
+    for cloud in names.map(|name| Cloud::named(name).expect("it is in the list")) {
         // Where the medium holds a sphere in equilibrium, it presses like the gas at the edge.
         if let Some((outside, edge)) = cloud.outside.zip(cloud.edge_pressure()) {
             assert!((outside / edge - 1.0).abs() < 1e-6, "{}: {outside} {edge}", cloud.name);
         }
-        assert_eq!(Cloud::named(&cloud.name).as_ref(), Some(cloud));
-    }
-    let text = include_str!("../../scenes/sis-collapse.toml");
-    for (from, to, complaint) in [
-        ("mass = 2.0", "mass = -2.0", "sphere.mass = -2: a finite number above 0 is needed"),
-        ("dimension = 3", "dimension = 2", "dimension = 2: a sphere with gravity has 3"),
-        ("exponent = 2.0", "exponent = 3.0", "sphere: either exponent"),
-        ("exponent = 2.0", "exponent = 2.0\nextent = 4.0", "sphere: either exponent"),
-        ("[sink]", "[sunk]", "unknown field `sunk`"),
-    ] {
-        let error = Cloud::read(&text.replace(from, to)).unwrap_err().to_string();
-        assert!(error.starts_with(complaint), "{error}");
     }
 }
 
@@ -82,7 +71,7 @@ fn a_cold_sphere_falls_like_the_cycloid_with_steps_of_any_kind() {
         let measures = run.measures(&cloud);
         assert!(measures["tenth_mass_radius_error"] < 0.02, "{measures:?}");
         assert!(measures["energy"] < 0.03 && measures["angular_momentum"] < 1e-3, "{measures:?}");
-        assert!(run.conservation.momentum < 1e-3);
+        assert!(run.run.conservation.momentum < 1e-3);
     }
     // One level is one global step; halved steps agree with it to their first order.
     let [one, blocks, global, _] = &runs;
@@ -103,7 +92,7 @@ fn evrard_s_sphere_bounces_and_keeps_its_energy() {
     let cloud = Cloud { end_time: 1.3, ..Cloud::named("evrard").expect("it is in the list") };
     let run = run(&cloud, 600, &options(ParticleMethod::Sph1, 0));
     let measures = run.measures(&cloud);
-    assert!(run.failure.is_none());
+    assert!(run.run.failure.is_none());
     // −2/3 + 0.05, softened; the peak of the thermal energy is 1.1 to 1.3 at t = 1.1 to 1.3 in the literature (Steinmetz & Müller
     // 1993, Springel 2005), more with few particles.
     assert!((run.energies[0].total().expect("there is an energy equation") + 0.6).abs() < 0.01);
@@ -118,11 +107,11 @@ fn evrard_s_sphere_bounces_and_keeps_its_energy() {
 fn the_singular_sphere_collapses_onto_its_sink() {
     let cloud = Cloud { end_time: 0.4, ..Cloud::named("sis-collapse").expect("it is in the list") };
     let run = run(&cloud, 1000, &options(ParticleMethod::Sph1, 4));
-    assert!(run.failure.is_none());
+    assert!(run.run.failure.is_none());
     let measures = run.measures(&cloud);
     // A thousand particles: the sink starts with thirty.
     assert!(measures["core_mass_error"] < 0.25, "{measures:?}");
-    assert!(measures["angular_momentum"] < 2e-3 && run.conservation.momentum < 2e-3);
+    assert!(measures["angular_momentum"] < 2e-3 && run.run.conservation.momentum < 2e-3);
     assert!(!measures.contains_key("accretion_rate")); // it ends too early
     let snapshot = run.snapshots.last().expect("the end");
     let sink = snapshot.sink.expect("there is one");

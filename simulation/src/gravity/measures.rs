@@ -96,7 +96,7 @@ impl CloudRun {
     pub fn accretion_rate(&self, cloud: &Cloud) -> Option<f64> {
         let (collapse, start) = (cloud.collapse_time()?, cloud.wave_start()?);
         let [from, to] = RATE_WINDOW.map(|part| part * collapse - start);
-        if self.time < to {
+        if self.run.time < to {
             return None;
         }
         let window: Vec<_> =
@@ -118,7 +118,7 @@ impl CloudRun {
         let mut add = |name, value: Option<f64>| {
             measures.extend(value.filter(|value| value.is_finite()).map(|value| (name, value)));
         };
-        add("energy", self.conservation.energy.map(f64::abs));
+        add("energy", self.run.conservation.energy.map(f64::abs));
         let last = self.snapshots.last();
         match cloud.known {
             Some(Known::ExpansionWave) => {
@@ -154,12 +154,14 @@ impl CloudRun {
                 // The outer shells feel the edge, where gas expands.
                 let inner = last.and_then(|one| radius_of_part(one, 0.1));
                 let start = cloud.radius * cloud.distribution.radius_of(0.1);
-                let exact = start * cloud.fallen(self.time);
+                let exact = start * cloud.fallen(self.run.time);
                 add("tenth_mass_radius_error", inner.map(|inner| (inner / exact - 1.0).abs()));
             }
             None => {
                 let peak = self.energies.iter().filter_map(|e| e.thermal).reduce(f64::max);
                 add("peak_thermal_energy", peak);
+                add("half_mass_radius", last.and_then(|one| radius_of_part(one, 0.5)));
+                add("core_mass", self.core.last().map(|core| core[1]));
             }
         }
         measures

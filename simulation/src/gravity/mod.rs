@@ -19,7 +19,7 @@ mod softening;
 mod sphere;
 mod walk;
 
-pub use cloud::{Cloud, InvalidCloud, Known};
+pub use cloud::{Cloud, Known};
 pub use expansion_wave::{ExpansionWave, Similarity};
 pub use measures::{HEAD_SPEED, Head, RATE_WINDOW};
 pub use octree::{Bodies, Octree};

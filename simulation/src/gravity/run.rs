@@ -12,8 +12,7 @@ use crate::particles::{
     Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
     plus_scaled, table,
 };
-use crate::run::judgement::warnings;
-use crate::run::{Conservation, Counters, Failure, InvalidOptions, Penetration, Promise};
+use crate::run::{Conservation, Counters, InvalidOptions, Penetration, Promise, Run};
 use std::ops::ControlFlow;
 
 /// The gas at a time.
@@ -56,6 +55,9 @@ impl Energies {
 /// What a run leaves behind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CloudRun {
+    /// How the run went. Drifts: of the mass of gas and sink, of the momentum over `√(G M³/R)`, of the energy where it is
+    /// conserved.
+    pub run: Run<()>,
     /// Time and mass of the sink, after every step.
     pub core: Vec<[f64; 2]>,
     /// Energies at the start, at the end, and, where there is an energy equation, about [`SAMPLES`] times between.
@@ -64,24 +66,8 @@ pub struct CloudRun {
     pub snapshots: Vec<Snapshot>,
     /// The head of the wave, if the run came to it.
     pub head: Option<Head>,
-    /// Drifts: of the mass of gas and sink, of the momentum over `√(G M³/R)`, of the energy where it is conserved.
-    pub conservation: Conservation,
-    /// What the user should know before believing the numbers.
-    pub warnings: Vec<String>,
     /// Total angular momentum at the end, over `√(G M³ R)`.
     pub angular_momentum: f64,
-    /// Steps; with blocks, substeps.
-    pub steps: u64,
-    /// How many steps, or blocks, broke and were repeated with half their length.
-    pub rejected: usize,
-    /// The time reached.
-    pub time: f64,
-    /// Why the run broke down; `None` if it reached the end.
-    pub failure: Option<Failure>,
-    /// Work of the gas.
-    pub counters: Counters,
-    /// Work of gravity: cells and particles summed over.
-    pub attractions: u64,
 }
 
 /// How often energies are summed up in a run.
@@ -93,7 +79,7 @@ const RELAXATION_STEPS: usize = 60;
 /// `observe` hears the time simulated.
 ///
 /// # Errors
-/// [`InvalidOptions`] when the run cannot start. A run that breaks down is no error: see [`CloudRun::failure`].
+/// [`InvalidOptions`] when the run cannot start. A run that breaks down is no error: see [`Run::failure`].
 pub fn run_cloud(
     cloud: &Cloud,
     particles: usize,
@@ -196,16 +182,9 @@ impl Plan<'_> {
         gravity: SelfGravity<S>,
     ) -> Result<CloudRun, InvalidOptions> {
         let Plan { cloud, options, snapshots, observe, .. } = self;
-        let evolution = match options.sharing {
-            StepSharing::Global => {
-                let table = table(options.integrator)?;
-                ParticleEvolution::global(system, force, &table, options.courant)
-            }
-            StepSharing::Block { levels } => {
-                ParticleEvolution::blocks(system, force, levels, options.courant)
-            }
-        };
-        let mut evolution = evolution.with_work(options.work).under(gravity);
+        let table = table(options.integrator)?;
+        let evolution = ParticleEvolution::stepped(system, force, options, &table);
+        let mut evolution = evolution.under(gravity);
         let limits = Limits { steps: options.max_steps };
         // This also finds the fields at the start.
         limits.check(&mut evolution, cloud.end_time)?;
@@ -257,23 +236,17 @@ impl Plan<'_> {
             energy,
             volume: None,
         };
-        let mut warnings =
-            warnings(&conservation, Promise::Tree, march.steps, &Penetration::default());
-        warnings.extend(coarse);
+        let counters = Counters { attractions: evolution.body().interactions, ..system.counters };
+        let mut run =
+            Run::after(&march, (), conservation, Promise::Tree, counters, Penetration::default());
+        run.warnings.extend(coarse);
         Ok(CloudRun {
-            conservation,
-            warnings,
+            run: run.with_substeps(evolution.substeps()),
             core,
             energies,
             snapshots: kept,
             head,
             angular_momentum: dot(&turning, &turning).sqrt() / unit / cloud.radius.sqrt(),
-            steps: evolution.substeps().unwrap_or(march.steps as u64),
-            rejected: march.rejected,
-            time: march.time,
-            failure: march.failure,
-            counters: system.counters,
-            attractions: evolution.body().interactions,
         })
     }
 }

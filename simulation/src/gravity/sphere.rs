@@ -81,6 +81,14 @@ impl Distribution {
         }
     }
 
+    /// `G M/(R c²)` of an isothermal sphere that is in equilibrium so; `None` where there is none.
+    pub fn balance(self) -> Option<f64> {
+        match self {
+            Self::PowerLaw(n) => (n == 2.0).then_some(2.0),
+            Self::BonnorEbert(extent) => Some(lane_emden(extent).0[STEPS][1] / extent),
+        }
+    }
+
     /// Density at the edge over the mean density.
     pub fn edge_density(self) -> f64 {
         match self {

@@ -6,7 +6,7 @@ use crate::boundary::Boundary;
 use crate::march::Evolution;
 use crate::riemann::IdealGas;
 use crate::run::{
-    Counters, Flowing, InvalidOptions, Profile, Reason, Totals, not_negative, positive,
+    Counters, Flowing, InvalidOptions, Lined, Profile, Reason, Totals, not_negative, positive,
 };
 use crate::scene::{MassLattice, Scene};
 use courant_analysis::kernel::Kernel;
@@ -353,9 +353,25 @@ impl<F: LagrangianFlux> Flowing for LagrangianScheme<F> {
             motion += spacing * (state.velocity.abs() + state.sound * state.volume);
         }
         let mass = spacing * self.x.len() as f64;
-        Totals { mass, momentum, motion, energy: Some(energy), volume: Some(volume) }
+        Totals {
+            mass,
+            momentum: [momentum, 0.0, 0.0],
+            motion,
+            energy: Some(energy),
+            volume: Some(volume),
+        }
     }
 
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn out_of_order(&self) -> usize {
+        self.x.windows(2).filter(|pair| pair[0] >= pair[1]).count()
+    }
+}
+
+impl<F: LagrangianFlux> Lined for LagrangianScheme<F> {
     fn profile(&self) -> Profile {
         let column = |value: fn(&LagrangianState) -> f64| self.states().iter().map(value).collect();
         Profile {
@@ -367,14 +383,6 @@ impl<F: LagrangianFlux> Flowing for LagrangianScheme<F> {
             mass: vec![self.spacing; self.x.len()],
             ..Profile::default()
         }
-    }
-
-    fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    fn out_of_order(&self) -> usize {
-        self.x.windows(2).filter(|pair| pair[0] >= pair[1]).count()
     }
 }
 

@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod tests;
 
+use serde::Deserialize;
+
 /// A lattice with a rectangular cell.
 ///
 /// ```
@@ -13,7 +15,8 @@ mod tests;
 /// assert!((filling.upper[1] - 27.0 * 3f64.sqrt() / 47.0).abs() < 1e-15 && filling.upper[0] == 1.0);
 /// assert!(Lattice::Cubic.fill([0.0, 0.0], [1.0, 1.0], 2500).is_none());
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Lattice {
     /// The corners of squares.
     Square,
@@ -22,10 +25,13 @@ pub enum Lattice {
     /// The corners of cubes.
     Cubic,
     /// Corners and centres of cubes.
+    #[serde(rename = "bcc")]
     BodyCentred,
     /// Corners and centres of the faces of cubes: close packing in layers ABC.
+    #[serde(rename = "fcc")]
     FaceCentred,
     /// Close packing in layers AB, hexagonal in the first two axes.
+    #[serde(rename = "hcp")]
     HexagonalClose,
 }
 

@@ -4,6 +4,7 @@ use super::block_steps::BlockStepper;
 use super::body_force::BodyForce;
 use super::gas::Gas;
 use super::integrator::{Nystrom, Stepper, Work};
+use super::method::{MethodOptions, StepSharing};
 use super::pair_force::PairForce;
 use super::system::{ParticleSystem, Particles};
 use super::vector::Vector;
@@ -82,6 +83,20 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
     pub fn blocks(system: ParticleSystem<D, G>, force: F, levels: u32, courant: f64) -> Self {
         let stepper = BlockStepper::new(levels, courant);
         Self::new(system, force, courant, Stepping::Blocks(stepper))
+    }
+
+    /// With the steps and the work of the options; `table` is that of their integrator.
+    pub fn stepped(
+        system: ParticleSystem<D, G>,
+        force: F,
+        options: &MethodOptions,
+        table: &Nystrom<f64>,
+    ) -> Self {
+        let evolution = match options.sharing {
+            StepSharing::Global => Self::global(system, force, table, options.courant),
+            StepSharing::Block { levels } => Self::blocks(system, force, levels, options.courant),
+        };
+        evolution.with_work(options.work)
     }
 
     fn new(

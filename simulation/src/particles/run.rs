@@ -5,13 +5,14 @@ use super::domain::Domain;
 use super::evolution::ParticleEvolution;
 use super::gas::Gas;
 use super::integrator::{Nystrom, table};
-use super::method::{MethodOptions, StepSharing};
+use super::method::MethodOptions;
 use super::pair_force::PairForce;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use super::thermal::ThermalState;
+use super::vector::dot;
 use crate::method::Start;
-use crate::run::{Counters, Flowing, InvalidOptions, Profile, Promise, Totals};
+use crate::run::{Counters, Flowing, InvalidOptions, Lined, Profile, Promise, Totals};
 use crate::scene::Scene;
 
 /// The particles of a scene at the start: about so many in the domain, for layers get whole ones.
@@ -61,45 +62,29 @@ fn prepare<G: Gas + 'static, F: PairForce + Send + 'static>(
     let domain = Domain { lower: [from], upper: [to], boundary: [scene.boundary] };
     let kernel = SmoothingKernel::new(options.kernel);
     let system = ParticleSystem::new(gas, particles, domain, kernel, smoothing, &force);
-    let evolution = match options.sharing {
-        StepSharing::Global => ParticleEvolution::global(system, force, table, options.courant),
-        StepSharing::Block { levels } => {
-            ParticleEvolution::blocks(system, force, levels, options.courant)
-        }
-    };
-    let evolution = Box::new(evolution.with_work(options.work));
+    let evolution = Box::new(ParticleEvolution::stepped(system, force, options, table));
     Start { evolution, waiting, max_steps: options.max_steps }
 }
 
-impl<G: Gas, F: PairForce> Flowing for ParticleEvolution<1, G, F> {
+impl<const D: usize, G: Gas, F: PairForce> Flowing for ParticleEvolution<D, G, F> {
     fn totals(&self) -> Totals {
         let (system, state) = (self.system(), &self.system().particles);
         let motion = (0..state.len())
             .map(|i| {
-                let density = state.mass[i] / state.smoothing[i];
+                let density = state.mass[i] / state.smoothing[i].powi(D as i32);
                 let thermal = system.gas.sound_speed(density, state.thermal[i]);
-                state.mass[i] * (state.velocity[i][0].abs() + thermal)
+                let speed = dot(&state.velocity[i], &state.velocity[i]).sqrt();
+                state.mass[i] * (speed + thermal)
             })
             .sum();
+        let (own, walls) = (system.momentum(), self.wall_impulse());
+        let part = |axis: usize| if axis < D { own[axis] - walls[axis] } else { 0.0 };
         Totals {
             mass: state.mass.iter().sum(),
-            momentum: system.momentum()[0] - self.wall_impulse()[0],
+            momentum: std::array::from_fn(part),
             motion,
             energy: system.energy(),
             volume: None,
-        }
-    }
-
-    fn profile(&self) -> Profile {
-        let (system, state) = (self.system(), &self.system().particles);
-        Profile {
-            x: state.position.iter().map(|x| x[0]).collect(),
-            density: system.density().to_vec(),
-            velocity: state.velocity.iter().map(|v| v[0]).collect(),
-            pressure: system.pressure().to_vec(),
-            energy: state.thermal.iter().map_while(|thermal| thermal.energy()).collect(),
-            mass: state.mass.clone(),
-            smoothing: state.smoothing.clone(),
         }
     }
 
@@ -113,10 +98,28 @@ impl<G: Gas, F: PairForce> Flowing for ParticleEvolution<1, G, F> {
 
     fn out_of_order(&self) -> usize {
         let positions = &self.system().particles.position;
-        positions.windows(2).filter(|pair| pair[0][0] >= pair[1][0]).count()
+        match D {
+            1 => positions.windows(2).filter(|pair| pair[0][0] >= pair[1][0]).count(),
+            _ => 0,
+        }
     }
 
     fn substeps(&self) -> Option<u64> {
         ParticleEvolution::substeps(self)
+    }
+}
+
+impl<G: Gas, F: PairForce> Lined for ParticleEvolution<1, G, F> {
+    fn profile(&self) -> Profile {
+        let (system, state) = (self.system(), &self.system().particles);
+        Profile {
+            x: state.position.iter().map(|x| x[0]).collect(),
+            density: system.density().to_vec(),
+            velocity: state.velocity.iter().map(|v| v[0]).collect(),
+            pressure: system.pressure().to_vec(),
+            energy: state.thermal.iter().map_while(|thermal| thermal.energy()).collect(),
+            mass: state.mass.clone(),
+            smoothing: state.smoothing.clone(),
+        }
     }
 }

@@ -11,15 +11,13 @@ pub use options::InvalidOptions;
 pub(crate) use options::{not_negative, positive};
 pub use profile::Profile;
 
-use crate::march::{Evolution, Limits, march};
+use crate::march::{Evolution, Limits, March, march};
 use std::ops::ControlFlow;
 
-/// A gas in one dimension that marches: what a run needs to see of it.
+/// A gas that marches: what a run needs to see of it.
 pub trait Flowing: Evolution {
     /// What is conserved, less what has come in through the ends.
     fn totals(&self) -> Totals;
-    /// The present state.
-    fn profile(&self) -> Profile;
     /// Work done so far.
     fn counters(&self) -> Counters;
     /// How well energy is promised to be conserved.
@@ -36,13 +34,19 @@ pub trait Flowing: Evolution {
     }
 }
 
+/// A gas in one dimension that marches.
+pub trait Lined: Flowing {
+    /// The present state.
+    fn profile(&self) -> Profile;
+}
+
 /// Totals of what is conserved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Totals {
     /// Mass.
     pub mass: f64,
-    /// Momentum.
-    pub momentum: f64,
+    /// Momentum; 0 along the axes that are not there.
+    pub momentum: [f64; 3],
     /// `Σ m (|v| + c)`: the momentum if everything moved one way.
     pub motion: f64,
     /// Total energy; `None` for a gas without an energy equation.
@@ -57,7 +61,7 @@ pub struct Totals {
 pub struct Conservation {
     /// Over the mass at the start. Zero by construction where particles carry their mass.
     pub mass: f64,
-    /// Over `Σ m (|v| + c)` at the start.
+    /// Its length over `Σ m (|v| + c)` at the start.
     pub momentum: f64,
     /// Over the total energy at the start; `None` for a gas without an energy equation.
     pub energy: Option<f64>,
@@ -66,11 +70,12 @@ pub struct Conservation {
 }
 
 impl Conservation {
-    fn between(start: &Totals, end: &Totals) -> Self {
+    pub(crate) fn between(start: &Totals, end: &Totals) -> Self {
+        let change = end.momentum.iter().zip(&start.momentum).map(|(b, a)| (b - a) * (b - a));
         let part = |(before, after): (f64, f64)| (after - before) / before;
         Self {
             mass: part((start.mass, end.mass)),
-            momentum: (end.momentum - start.momentum) / start.motion,
+            momentum: change.sum::<f64>().sqrt() / start.motion,
             energy: start.energy.zip(end.energy).map(part),
             volume: start.volume.zip(end.volume).map(part),
         }
@@ -90,6 +95,8 @@ pub struct Counters {
     pub interactions: u64,
     /// Iterations of the Riemann solver, after the first guesses.
     pub riemann_iterations: u64,
+    /// Cells and particles summed over for gravity.
+    pub attractions: u64,
 }
 
 /// Neighbours that stand in the wrong order.
@@ -101,11 +108,11 @@ pub struct Penetration {
     pub largest: usize,
 }
 
-/// The result of a run. A run that broke down is a result too: see [`failure`](Self::failure).
+/// The result of a run, with a profile `P`. A run that broke down is a result too: see [`failure`](Self::failure).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Run {
+pub struct Run<P = Profile> {
     /// The state at [`time`](Self::time); no energies for an isothermal gas.
-    pub profile: Profile,
+    pub profile: P,
     /// How many steps were taken; with block steps, substeps.
     pub steps: usize,
     /// How many broke and were repeated with half their length.
@@ -127,14 +134,45 @@ pub struct Run {
     pub warnings: Vec<String>,
 }
 
-impl Run {
+impl<P> Run<P> {
     /// Whether the run reached its end time.
     pub fn completed(&self) -> bool {
         self.failure.is_none()
     }
 
+    /// What a march leaves, judged by itself.
+    pub(crate) fn after(
+        march: &March,
+        profile: P,
+        conservation: Conservation,
+        promise: Promise,
+        counters: Counters,
+        penetration: Penetration,
+    ) -> Self {
+        Self {
+            profile,
+            steps: march.steps,
+            rejected: march.rejected,
+            time: march.time,
+            failure: march.failure,
+            conservation,
+            counters,
+            penetration,
+            waiting: [0; 2],
+            warnings: judgement::warnings(&conservation, promise, march.steps, &penetration),
+        }
+    }
+
+    /// Counts the steps within blocks.
+    pub(crate) fn with_substeps(mut self, substeps: Option<u64>) -> Self {
+        self.steps = substeps.map_or(self.steps, |steps| steps as usize);
+        self
+    }
+}
+
+impl Run {
     /// Marches to `end_time`; after every step `observe(time)` may end it.
-    pub(crate) fn of<E: Flowing + ?Sized>(
+    pub(crate) fn of<E: Lined + ?Sized>(
         evolution: &mut E,
         waiting: [usize; 2],
         end_time: f64,
@@ -149,22 +187,14 @@ impl Run {
             observe(time)
         });
         let conservation = Conservation::between(&start, &evolution.totals());
-        Self {
-            profile: evolution.profile(),
-            steps: evolution.substeps().map_or(march.steps, |steps| steps as usize),
-            rejected: march.rejected,
-            time: march.time,
-            failure: march.failure,
+        let run = Self::after(
+            &march,
+            evolution.profile(),
             conservation,
-            counters: evolution.counters(),
+            evolution.promise(),
+            evolution.counters(),
             penetration,
-            waiting,
-            warnings: judgement::warnings(
-                &conservation,
-                evolution.promise(),
-                march.steps,
-                &penetration,
-            ),
-        }
+        );
+        Self { waiting, ..run.with_substeps(evolution.substeps()) }
     }
 }

@@ -1,6 +1,8 @@
 //! A quantity along the line at the start of a scene.
 
+use crate::advection::SplitMix64;
 use serde::Deserialize;
+use std::f64::consts::TAU;
 
 /// A value, or how a value runs along the line.
 ///
@@ -40,6 +42,23 @@ pub enum Quantity {
         /// The distance at which it has fallen to 1/e.
         width: f64,
     },
+    /// `mean + amplitude Σ cos(2πmx/period + φ_m)`, `m = 1, …, waves`: noise with a known spectrum.
+    Noise {
+        /// The mean.
+        #[serde(default)]
+        mean: f64,
+        /// The amplitude of each wave.
+        #[serde(default = "one")]
+        amplitude: f64,
+        /// How many waves there are.
+        waves: usize,
+        /// Where the random phases `φ_m` come from.
+        #[serde(default)]
+        seed: u64,
+        /// The length of the longest.
+        #[serde(default = "one")]
+        period: f64,
+    },
     /// Straight lines through `[x, value]`, ascending in `x`; constant beyond the first and the last.
     Points {
         /// The points.
@@ -47,9 +66,19 @@ pub enum Quantity {
     },
 }
 
+fn one() -> f64 {
+    1.0
+}
+
+/// Wave numbers and phases of a noise.
+fn waves(count: usize, seed: u64, period: f64) -> impl Iterator<Item = (f64, f64)> {
+    let mut random = SplitMix64::new(seed);
+    (1..=count).map(move |m| (TAU * m as f64 / period, TAU * random.unit()))
+}
+
 /// What a quantity may be, for messages.
 pub(super) const ACCEPTED: &str = "a number, { mean, amplitude, wave_number, phase } for a sine, \
-     { mean, amplitude, centre, width } for a pulse, or { points = [[x, value], ...] }";
+     { mean, amplitude, centre, width } for a pulse, { waves, seed, period, mean, amplitude } for a noise, or { points = [[x, value], ...] }";
 
 /// Nodes and weights of Gauss's rule of five points on `[−1, 1]`: `√(5 ∓ 2√(10/7))/3`, `(322 ± 13√70)/900`.
 pub(super) const GAUSS: [(f64, f64); 5] = [
@@ -80,6 +109,10 @@ impl Quantity {
                 let scaled = (x - centre) / width;
                 mean + amplitude * (-scaled * scaled).exp()
             }
+            Self::Noise { mean, amplitude, waves: count, seed, period } => {
+                let all = waves(*count, *seed, *period);
+                mean + amplitude * all.map(|(k, phase)| (k * x + phase).cos()).sum::<f64>()
+            }
             Self::Points { points } => {
                 let after = points.partition_point(|point| point[0] <= x);
                 match (after.checked_sub(1).map(|i| points[i]), points.get(after).copied()) {
@@ -100,6 +133,14 @@ impl Quantity {
                 let (a, b) = (wave_number * from + phase, wave_number * to + phase);
                 let change = 2.0 * (0.5 * (a + b)).sin() * (0.5 * (b - a)).sin();
                 mean * (to - from) + amplitude * change / wave_number
+            }
+            Self::Noise { mean, amplitude, waves: count, seed, period } => {
+                let all = waves(*count, *seed, *period);
+                let change = |(k, phase): (f64, f64)| {
+                    let (middle, half) = (0.5 * k * (from + to) + phase, 0.5 * k * (to - from));
+                    2.0 * middle.cos() * half.sin() / k
+                };
+                mean * (to - from) + amplitude * all.map(change).sum::<f64>()
             }
             Self::Pulse { width, .. } => self.by_gauss(from, to, 0.25 * width),
             Self::Points { points } => {
@@ -139,6 +180,17 @@ impl Quantity {
                     return Some(format!("width = {width}: a number above 0 is needed"));
                 }
                 (vec![*mean, *amplitude, *centre, *width], mean.min(mean + amplitude))
+            }
+            Self::Noise { mean, amplitude, waves, period, .. } => {
+                if !(1..=100_000).contains(waves) {
+                    return Some(format!(
+                        "waves = {waves}: a whole number from 1 to 100000 is needed"
+                    ));
+                }
+                if *period <= 0.0 {
+                    return Some(format!("period = {period}: a number above 0 is needed"));
+                }
+                (vec![*mean, *amplitude, *period], mean - amplitude.abs() * *waves as f64)
             }
             Self::Points { points } => {
                 if points.is_empty() || points.windows(2).any(|pair| pair[0][0] >= pair[1][0]) {

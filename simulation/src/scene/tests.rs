@@ -1,6 +1,6 @@
 //! Scenes against independent sums and the equations of motion, and what is said of bad files.
 
-use super::{ExactSolution, Flow, Layer, MassLattice, Scene, conserved_density};
+use super::{AnyScene, ExactSolution, Flow, Layer, MassLattice, Scene, conserved_density};
 use crate::boundary::Boundary;
 use crate::riemann::{IdealGas, State};
 
@@ -19,13 +19,15 @@ const TUBE: &str = "gamma = 1.4\ndomain = [0, 1]\ndiaphragm = 0.5\nend_time = 0.
 #[test]
 fn every_named_scene_is_in_its_file_under_its_name() {
     for scene in Scene::all() {
-        assert_eq!(&named(&scene.name), scene);
-        assert!(!scene.description.is_empty() && !scene.source.is_empty(), "{}", scene.name);
         // The customary end is one at which the comparison is fair.
         let exact = scene.exact_solution() != ExactSolution::None;
         assert!(!exact || scene.holds_until() >= scene.end_time, "{}", scene.name);
     }
     assert_eq!(Scene::named("toro99"), None);
+    for scene in AnyScene::all() {
+        assert_eq!(AnyScene::named(scene.name()).as_ref(), Some(scene));
+        assert!(!scene.description().is_empty() && !scene.source().is_empty(), "{}", scene.name());
+    }
 }
 
 #[test]
@@ -78,6 +80,72 @@ fn complaints_name_the_line_and_what_is_accepted() {
         let error = Scene::parse(&TUBE.replace(from, to), "mine").expect_err("the file is bad");
         assert_eq!(error.line, line, "{to}: {error}");
         assert!(error.problem.contains(words), "{to}: {error}");
+    }
+}
+
+#[test]
+fn the_page_on_scenes_shows_files_that_are_read() {
+    let page = include_str!("../../../docs/scenes.md");
+    let blocks: Vec<&str> =
+        page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(blocks.len() >= 6);
+    for block in blocks {
+        AnyScene::parse(block, "mine").unwrap_or_else(|error| panic!("{error}: {block}"));
+    }
+}
+
+/// One changed line of a file in the tree, and what is said of it.
+#[test]
+fn complaints_are_alike_for_all_kinds_of_scenes() {
+    let file = |name: &str| {
+        let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(path).expect("it is in the tree")
+    };
+    // Scene | what stands there | what is put there | a part of the line that is named, if another | words of the complaint.
+    let table = r#"
+            advection-step | velocity = 1.0 | velocity = 0 |  | velocity = 0: a finite number other
+            advection-step | to = 1.0 | to = 0.9 | [[layer]] | up to 1
+            advection-step | to = 1.0 | to = 0.4 |  | to = 0.4: a number above 0.5
+            advection-step | value = 1.0 | density = 1.0 | to = 0.5 | value is missing
+            advection-step | velocity = 1.0 | gamma = 1.4 |  | gamma: an advection scene has no such key
+            advection-waves | waves = 8 | waves = 0 |  | waves = 0: a whole number
+            advection-step | "advection" | "euler" |  | expected `gas` or `advection`
+            shear | dimension = 2 | dimension = 3 |  | dimension = 3: a gas in a box has 2
+            shear | "square" | "cubic" |  | in 2 dimensions accepted: square, hexagonal
+            shear | speed = 1.0 | speed = 0.0 |  | speed = 0: a finite number above 0
+            shear | sound_speed = 1.0 | gamma = 1.0 |  | above 1
+            shear | sound_speed = 1.0 | gamma = 1.4 | [shear] | shear.pressure is missing
+            shear | [0.0, 1.0], [0.0 | [1.0, 0.0], [0.0 |  | an ascending interval
+            shear | lattice = | boundary = "open"⏎lattice = | boundary = "open" | periodic and mirror
+            shear | lattice = | boundary = "mirror"⏎lattice = | boundary = "mirror" | a shear is periodic
+            shear | [shear] | [sheer] |  | unknown field `sheer`
+            shear | [shear] | [sink]⏎radius = 1⏎[shear] | [sink] | sink: a gas in a box has no such key
+            gresho | gamma = 1.6666666666666667 | sound_speed = 1 |  | a vortex needs gamma
+            gresho | [-0.5, 0.5], [ | [-0.3, 0.5], [ |  | the vortex reaches 0.4
+            sis-collapse | mass = 2.0 | mass = -2.0 |  | mass = -2: a finite number above 0
+            sis-collapse | mass = 2.0 | mass = 3.0 | exact | here sphere.mass = 2
+            sis-collapse | dimension = 3 | dimension = 2 |  | dimension = 2: a sphere has 3
+            sis-collapse | exponent = 2.0 | exponent = 3.0 | [sphere] | sphere: either exponent
+            sis-collapse | exponent = 2.0 | exponent = 2.0⏎extent = 4.0 | [sphere] | either exponent
+            sis-collapse | radius = 0.03 | radius = 3 | [sink] | below sphere.radius
+            sis-collapse | [sink] | [sunk] |  | unknown field `sunk`
+            bonnor-ebert | pressure = 1.03 | pressure = 2.03 | exact | here outside.pressure = 1.032
+            evrard | energy = 0.05⏎ |  | [sphere] | sphere.energy is missing
+            evrard | particles = 4000 | particles = 50 |  | at least 100
+            cold-sphere | energy = 1e-5 | energy = 0.1 | exact | of a cold sphere"#;
+    for row in table.lines().skip(1) {
+        let cells: Vec<String> =
+            row.split(" | ").map(|cell| cell.trim().replace('⏎', "\n")).collect();
+        let [scene, from, to, at, words] = cells.as_slice() else { panic!("{row}") };
+        let at = if at.is_empty() { to } else { at };
+        let text = file(scene);
+        assert!(text.contains(from.as_str()), "{scene}: {from}");
+        let changed = text.replacen(from.as_str(), to, 1);
+        let error = AnyScene::parse(&changed, "mine").expect_err("the file is bad");
+        let line = changed.lines().nth(error.line - 1).unwrap_or_default();
+        let said = line.contains(at.lines().next().unwrap_or_default())
+            && error.problem.contains(words.as_str());
+        assert!(said, "{scene}, {to}: {line}: {error}");
     }
 }
 

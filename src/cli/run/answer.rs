@@ -1,95 +1,55 @@
 //! What a run leaves: its record, its files, and all of them in one table.
 
-use super::clouds::CloudRecord;
-use super::fields::FieldRecord;
-use super::gas::GasRecord;
 use crate::cli::Failure;
 use crate::cli::output::{Format, paragraphs, print, print_records, warnings};
-use courant::reports::advection_profile::AdvectionRecord;
-use courant::reports::figure::Figure;
 use courant::reports::number::significant;
 use courant::reports::publish::OutputDirectory;
-use courant::reports::run_record::RunRecord;
+use courant::reports::run_record::{RunRecord, RunReport, method_title};
 use courant::reports::table::{Align, Table};
-use courant::simulation::advection::AdvectionScheme;
-use courant::simulation::method::Method;
-use serde::Serialize;
 use std::path::PathBuf;
-
-/// The record of any run.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-pub enum Record {
-    /// Of an advected quantity.
-    Advection(AdvectionRecord),
-    /// Of a gas on a line.
-    Gas(GasRecord),
-    /// Of a flow.
-    Field(FieldRecord),
-    /// Of a sphere of gas.
-    Cloud(CloudRecord),
-}
-
-impl Record {
-    /// What all have.
-    pub fn run(&self) -> &RunRecord {
-        match self {
-            Self::Advection(record) => &record.run,
-            Self::Gas(record) => &record.run,
-            Self::Field(record) => &record.run,
-            Self::Cloud(record) => &record.run,
-        }
-    }
-
-    /// What the scene is judged by beside error norms.
-    fn measures(&self) -> Vec<(&'static str, Option<f64>)> {
-        match self {
-            Self::Advection(_) | Self::Gas(_) => Vec::new(),
-            Self::Field(record) => record.measures.iter().map(|(k, v)| (*k, *v)).collect(),
-            Self::Cloud(record) => record.measures.iter().map(|(k, v)| (*k, Some(*v))).collect(),
-        }
-    }
-}
 
 /// What a run leaves.
 #[derive(Debug)]
 pub struct Answer {
     /// For machines.
-    pub record: Record,
-    /// For people, where it is the only one.
-    table: Table,
+    pub record: RunRecord,
+    /// Scene, method and settings in words.
+    caption: String,
     /// Endings of the names of files, and what is in them.
-    files: Vec<(String, Vec<u8>)>,
+    files: Vec<(&'static str, Vec<u8>)>,
     /// The options with several values, and those of this run.
     pub choices: Vec<(&'static str, String)>,
     written: Vec<PathBuf>,
 }
 
 impl Answer {
-    /// What a run leaves, with the picture where there is one.
-    pub fn new(
-        record: Record,
-        table: Table,
-        mut files: Vec<(String, Vec<u8>)>,
-        figure: Option<Figure>,
-    ) -> Result<Self, Failure> {
-        let pictures = figure.map(|figure| figure.png().and_then(|png| Ok((png, figure.svg()?))));
-        match pictures.transpose() {
-            Ok(pictures) => {
-                files.extend(pictures.into_iter().flat_map(|(png, svg)| {
-                    [(".png".into(), png), (".svg".into(), svg.into_bytes())]
-                }))
-            }
-            Err(error) if record.run().completed => return Err(error.into()),
+    /// The answer of a run: its pictures are made, where there is something to see.
+    pub fn new(report: RunReport) -> Result<Self, Failure> {
+        let RunReport { record, caption, mut files, figure } = report;
+        let json = serde_json::to_string_pretty(&record)
+            .map_err(|error| Failure::Message(error.to_string()))?;
+        files.push((".json", format!("{json}\n").into_bytes()));
+        match figure.map(|figure| figure.png().and_then(|png| Ok((png, figure.svg()?)))) {
+            Some(Ok((png, svg))) => files.extend([(".png", png), (".svg", svg.into_bytes())]),
+            Some(Err(error)) if record.completed => return Err(error.into()),
             // A state that is not finite has no picture; the table of it is still there.
-            Err(_) => {}
+            Some(Err(_)) | None => {}
         }
-        Ok(Self { record, table, files, choices: Vec::new(), written: Vec::new() })
+        Ok(Self { record, caption, files, choices: Vec::new(), written: Vec::new() })
+    }
+
+    /// What it says to people, where it is the only one.
+    fn table(&self) -> Table {
+        let mut table = Table::new(self.caption.as_str(), &[("", Align::Left), ("", Align::Right)]);
+        for row in self.record.rows() {
+            table.push(row);
+        }
+        table
     }
 
     /// Writes the files: scene, method and what else is told apart are in their names.
     pub fn write(&mut self, output: &OutputDirectory) -> Result<(), Failure> {
-        let run = self.record.run();
+        let run = &self.record;
         let mut stem = format!("{}_{}", run.scene, run.method);
         for (option, value) in self.own_choices() {
             stem.push_str(&format!("_{option}-{value}"));
@@ -108,20 +68,11 @@ impl Answer {
     }
 }
 
-/// The name of a method for people, and the one to type.
-pub fn method_title(name: &str) -> String {
-    let title = Method::named(name).map(|method| method.title());
-    match title.or(name.parse().ok().map(AdvectionScheme::title)) {
-        Some(title) => format!("{title} ({name})"),
-        None => name.into(),
-    }
-}
-
 /// Prints one answer line by line, several as rows.
 pub fn show(answers: &[Answer], format: Format) -> Result<(), Failure> {
-    let records: Vec<&Record> = answers.iter().map(|answer| &answer.record).collect();
+    let records: Vec<&RunRecord> = answers.iter().map(|answer| &answer.record).collect();
     let rows = match answers {
-        [one] => &one.table,
+        [one] => &one.table(),
         several => &rows_table(several),
     };
     print_records("run", &records, rows, format)?;
@@ -136,7 +87,7 @@ pub fn show(answers: &[Answer], format: Format) -> Result<(), Failure> {
         };
         let names: Vec<String> = answer.choices.iter().map(name).collect();
         let of = if names.is_empty() { String::new() } else { names.join(", ") + ": " };
-        let run = answer.record.run();
+        let run = &answer.record;
         let failure = run.failure.iter().filter(|_| answers.len() > 1);
         said.extend(failure.map(|why| format!("{of}broke down: {why}")));
         said.extend(run.warnings.iter().map(|warning| format!("{of}{warning}")));
@@ -166,7 +117,7 @@ fn rows_table(answers: &[Answer]) -> Table {
             columns.push((name, *align));
         }
     }
-    let first = answers[0].record.run();
+    let first = &answers[0].record;
     let varies = |option| answers[0].choices.iter().any(|(one, _)| *one == option);
     let caption = [
         Some(first.scene.clone()).filter(|_| !varies("scene")),
@@ -189,7 +140,7 @@ fn rows_table(answers: &[Answer]) -> Table {
 type Row = Vec<(String, String, Align)>;
 
 fn row(answer: &Answer) -> Row {
-    let run = answer.record.run();
+    let run = &answer.record;
     let mut cells = Row::new();
     // The record has these, of every run.
     let own = |(option, _): &&(&str, String)| !["particles", "time"].contains(option);
@@ -210,7 +161,8 @@ fn row(answer: &Answer) -> Row {
         ("L1 pressure", run.l1.pressure),
         ("L1 energy", run.l1.energy),
     ];
-    for (name, value) in norms.into_iter().chain(answer.record.measures()) {
+    let measures = run.measures.iter().map(|(name, value)| (*name, *value));
+    for (name, value) in norms.into_iter().chain(measures) {
         if let Some(value) = value {
             add(&name.replace('_', " "), significant(value, 4));
         }

@@ -124,9 +124,9 @@ pub fn all(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
         .each("disorder", |a| &mut a.advection.disorder, to_text)
         .each("seed", |a| &mut a.advection.seed, u64::to_string)
         .each("waves", |a| &mut a.advection.waves, usize::to_string)
-        .each("lattice", |a| &mut a.fields.lattice, String::clone)
-        .each("switch", |a| &mut a.fields.switch, name)
-        .each("levels", |a| &mut a.fields.levels, usize::to_string);
+        .each("lattice", |a| &mut a.boxes.lattice, String::clone)
+        .each("switch", |a| &mut a.boxes.switch, name)
+        .each("levels", |a| &mut a.boxes.levels, usize::to_string);
     if cases.len() > MAX_CASES {
         return Err(Failure::Message(format!(
             "the lists of SCENE and the options have more than {MAX_CASES} combinations; make them shorter"

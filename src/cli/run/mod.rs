@@ -2,32 +2,38 @@
 
 mod advection;
 mod answer;
+mod boxes;
 mod cases;
 mod choices;
-mod clouds;
-mod fields;
-mod gas;
+mod methods;
 mod particle_options;
+mod plan;
+mod scene;
+
+pub use methods::all as methods;
 
 use super::numbers::{Names, Numbers};
 use super::output::Format;
-use super::{Failure, Outcome, names, numbers};
+use super::progress::Bar;
+use super::{Failure, Outcome, complain, names, numbers};
 use answer::Answer;
 use choices::one;
 use clap::Args;
 use courant::analysis::exact::rational::Rational;
 use courant::analysis::kernel::Kernel;
 use courant::reports::publish::OutputDirectory;
+use courant::simulation::scene::AnyScene;
+use plan::Plan;
 use std::path::PathBuf;
 
 /// All options but `--out` and `--format` take lists; in a case each has one value.
 #[derive(Debug, Clone, Args)]
 pub struct Arguments {
-    /// Scenes: see `courant list scenes`.
+    /// Scenes: see `courant list scenes`; or files NAME.toml of your own.
     #[arg(num_args = 1, required = true, value_delimiter = ',')]
     scene: Vec<String>,
-    /// Methods: see `courant list methods`; advection and gases have their own. Advection scenes take godunov-sph
-    /// if none is given, a scene from a file what the file says; for the others it is required.
+    /// Methods: see `courant list methods`; advection and gases have their own. Without it the method is what the file
+    /// of the scene says (advection scenes: godunov-sph); where it says none it is required.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     method: Vec<String>,
     /// Numbers of particles (default: the scene's own).
@@ -50,7 +56,7 @@ pub struct Arguments {
     #[command(flatten)]
     advection: advection::Options,
     #[command(flatten)]
-    fields: fields::Options,
+    boxes: boxes::Options,
     /// Directory for profiles and figures.
     #[arg(long, default_value = "courant-out")]
     out: PathBuf,
@@ -101,82 +107,50 @@ pub struct Entry {
     pub source: &'static str,
 }
 
-/// A run that was judged and can start.
-type Start = Box<dyn FnOnce() -> Result<Answer, Failure>>;
-
-/// A family of scenes and the methods that run them.
-struct Family {
-    scenes: fn() -> Vec<Entry>,
-    methods: fn() -> Vec<Entry>,
-    /// Judges the arguments of one case.
-    plan: fn(Arguments) -> Result<Start, Failure>,
-}
-
-const FAMILIES: [Family; 4] = [advection::FAMILY, gas::FAMILY, fields::FAMILY, clouds::FAMILY];
-
 /// Every scene.
 pub fn scenes() -> Vec<Entry> {
-    FAMILIES.iter().flat_map(|family| (family.scenes)()).collect()
-}
-
-/// Every method.
-pub fn methods() -> Vec<Entry> {
-    FAMILIES.iter().flat_map(|family| (family.methods)()).collect()
-}
-
-/// What to say of a method that does not run a scene: which scenes it runs, or what else it is, or which name is near.
-fn no_method(name: &str, scene: &str, accepted: &[&str]) -> Failure {
-    let names = |entries: Vec<Entry>| entries.into_iter().map(|entry| entry.name);
-    let other = FAMILIES.iter().find(|family| names((family.methods)()).any(|known| known == name));
-    let all = accepted.join(", ");
-    let problem = match other {
-        Some(family) => {
-            let scenes: Vec<&str> = names((family.scenes)()).collect();
-            format!("it does not run {scene} but {}; accepted: {all}", scenes.join(", "))
-        }
-        None => match names::elsewhere(name, None) {
-            Some(what) => format!("{what}, and runs no scene; accepted: {all}"),
-            None => names::unknown(&format!("method for {scene}"), name, accepted),
-        },
+    let own = Entry {
+        name: "FILE.toml",
+        description: "a scene of your own, in the format of these; a bad file is answered with the keys it needs",
+        source: "docs/scenes.md",
     };
-    Failure::Message(format!("--method {name}: {problem}"))
+    let entry = |scene: &'static AnyScene| Entry {
+        name: scene.name(),
+        description: scene.description(),
+        source: scene.source(),
+    };
+    AnyScene::all().iter().map(entry).chain([own]).collect()
 }
 
-/// Judges one case.
-fn plan(arguments: Arguments) -> Result<Start, Failure> {
-    let scene = arguments.scene();
-    let family = FAMILIES
-        .iter()
-        .find(|family| (family.scenes)().iter().any(|known| known.name == scene))
-        .or(scene.ends_with(".toml").then_some(&gas::FAMILY));
-    let Some(family) = family else {
-        let scenes: Vec<&str> = scenes().iter().map(|scene| scene.name).collect();
-        let problem = names::unknown("scene", scene, &scenes);
-        return Err(Failure::Message(format!("SCENE {scene}: {problem}")));
-    };
-    if !advection::has_scene(scene) {
-        arguments.advection.reject(scene)?;
+/// Runs one case.
+fn answer(arguments: &Arguments, plan: &Plan) -> Result<Answer, Failure> {
+    // Said before it starts: the user may stop it.
+    let beyond = plan.beyond_limit(arguments);
+    if let Some(warning) = &beyond {
+        complain(&format!("warning: {warning}\n"));
     }
-    if !fields::has_scene(scene) {
-        arguments.fields.reject(scene)?;
-    }
-    (family.plan)(arguments)
+    let (scene, end_time) = plan.scene();
+    let bar = Bar::new(scene);
+    let mut report = plan.run(arguments, |time| bar.march(time, end_time))?;
+    bar.finish();
+    report.record.warnings.extend(beyond);
+    Answer::new(report)
 }
 
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let cases = cases::all(arguments)?;
     // All are judged before one runs.
-    let starts: Vec<Start> =
-        cases.iter().map(|case| plan(case.arguments.clone())).collect::<Result<_, _>>()?;
+    let plan = |case: &cases::Case| Plan::new(&case.arguments, scene::load(&case.arguments)?);
+    let plans: Vec<Plan> = cases.iter().map(plan).collect::<Result<_, _>>()?;
     let output = OutputDirectory::open(&arguments.out)?;
     let mut answers = Vec::new();
-    for (case, start) in cases.iter().zip(starts) {
-        let mut answer = start()?;
+    for (case, plan) in cases.iter().zip(plans) {
+        let mut answer = answer(&case.arguments, &plan)?;
         answer.choices = case.choices.clone();
         answer.write(&output)?;
         answers.push(answer);
     }
     answer::show(&answers, arguments.format)?;
-    let completed = answers.iter().all(|answer| answer.record.run().completed);
+    let completed = answers.iter().all(|answer| answer.record.completed);
     Ok(if completed { Outcome::Yes } else { Outcome::No })
 }

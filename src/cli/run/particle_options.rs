@@ -1,23 +1,12 @@
 //! Particle methods and their options, alike for scenes in one, two and three dimensions.
 
-use super::{Arguments, no_method};
+use super::Arguments;
 use crate::cli::Failure;
 use courant::analysis::exact::rational::{to_f64, to_text};
 use courant::analysis::kernel::Kernel;
-use courant::reports::number::{exact_text, significant};
+use courant::reports::number::exact_text;
 use courant::simulation::particles::{MethodOptions, ParticleMethod};
 use courant::simulation::run::InvalidOptions;
-use courant::simulation::scene::Material;
-
-/// The method that was asked for, of those that run in any dimension.
-pub fn method(arguments: &Arguments) -> Result<ParticleMethod, Failure> {
-    let (all, scene) = (ParticleMethod::ALL.map(ParticleMethod::name), arguments.scene());
-    let name = arguments.method().ok_or_else(|| {
-        Failure::Message(format!("--method is required for {scene}; accepted: {}", all.join(", ")))
-    })?;
-    let mut known = ParticleMethod::ALL.into_iter();
-    known.find(|method| method.name() == name).ok_or_else(|| no_method(name, scene, &all))
-}
 
 /// The choices that a method leaves open.
 pub fn accepted(method: ParticleMethod) -> &'static [&'static str] {
@@ -51,14 +40,6 @@ pub fn choose(arguments: &Arguments, options: &mut MethodOptions) -> Result<(), 
 /// The smoothing length over the spacing, as it was typed.
 pub fn ratio(arguments: &Arguments, used: f64) -> String {
     arguments.ratio().map_or_else(|| exact_text(used), to_text)
-}
-
-/// The equation of state, in words.
-pub fn eos(material: Material) -> String {
-    match material {
-        Material::Isothermal(gas) => format!("isothermal, c = {}", gas.sound_speed),
-        Material::Ideal(gas) => format!("ideal gas, γ = {}", significant(gas.gamma(), 6)),
-    }
 }
 
 /// An error of the simulation by the option that brought it.

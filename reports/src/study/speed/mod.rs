@@ -11,7 +11,7 @@ use crate::{cells, words};
 use courant_analysis::exact::rational::{Rational, integer};
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
-    AdvectionRun, AdvectionScheme, Layout, Method, RunPlan, Scene, pareto_front, run,
+    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, Method, RunPlan, pareto_front, run,
 };
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -55,7 +55,7 @@ struct SchemePlan {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct TestPlan {
-    scene: Named<Scene>,
+    scene: Named<AdvectionScene>,
     name: String,
     /// The figure of it.
     figure: String,
@@ -123,9 +123,9 @@ fn choices(plan: &Plan, detail: Detail) -> Vec<Choice> {
     choices
 }
 
-fn point(scene: &Scene, choices: &[Choice], (choice, particles): (usize, usize)) -> Point {
+fn point(scene: &AdvectionScene, choices: &[Choice], (choice, particles): (usize, usize)) -> Point {
     let (scene, method) = (scene.clone(), choices[choice].method);
-    let plan = RunPlan { scene, method, particles, periods: 1.0, layout: Layout::Lattice };
+    let plan = RunPlan { scene, method, particles, layout: Layout::Lattice };
     let start = Instant::now();
     let run = run(&plan).expect("the numbers of the plan are in range");
     Point { choice, particles, run, seconds: start.elapsed().as_secs_f64() }
@@ -163,7 +163,7 @@ impl Test<'_> {
             if self.choices[point.choice].method.ratio < among.from {
                 return (f64::NAN, f64::NAN);
             }
-            (point.run.interactions as f64, point.run.comparison.l1)
+            (point.run.run.counters.interactions as f64, point.run.comparison.l1)
         };
         self.points.iter().map(cost).collect()
     }
@@ -198,7 +198,7 @@ pub fn section(text: &PaperText, detail: Detail) -> Section {
             "speed_caption",
             words![
                 "test" = test.data.name,
-                "equation" = test.data.scene.0.source(),
+                "equation" = test.data.scene.0.source.as_str(),
                 "choices" = choices.len(),
                 "least" = small[0],
                 "small" = small[small.len() - 1],
@@ -282,8 +282,8 @@ fn data(test: &Test<'_>) -> Vec<u8> {
         let mut cells =
             cells![method.scheme, method.kernel.name(), method.ratio, share, run.courant_number];
         let seen = &run.comparison;
-        cells.extend(cells![point.particles, run.steps, seen.l1, seen.l2, seen.l_infinity]);
-        cells.extend(cells![run.interactions, front.contains(&index), point.seconds]);
+        cells.extend(cells![point.particles, run.run.steps, seen.l1, seen.l2, seen.l_infinity]);
+        cells.extend(cells![run.run.counters.interactions, front.contains(&index), point.seconds]);
         cells
     });
     let header = "scheme,kernel,ratio,share_of_limit,cfl,particles,steps,l1,l2,l_infinity,\

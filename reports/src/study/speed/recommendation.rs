@@ -28,7 +28,7 @@ pub(super) fn table(text: &PaperText, tests: &[Test<'_>]) -> Item {
                     Some(point) => cells![
                         describe(&test.choices[point.choice]),
                         point.particles,
-                        significant(point.run.interactions as f64, 3),
+                        significant(point.run.run.counters.interactions as f64, 3),
                         significant(point.run.comparison.l1, 3),
                         significant(1e3 * point.seconds, 2),
                     ],

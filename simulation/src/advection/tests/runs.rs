@@ -1,50 +1,94 @@
 //! Scenes, runs, errors and costs.
 
 use super::*;
+use crate::run::Reason;
+use crate::scene::Quantity;
 use proptest::prelude::*;
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-fn plan(scheme: AdvectionScheme, scene: Scene, particles: usize, layout: Layout) -> RunPlan {
+fn named(name: &str) -> AdvectionScene {
+    AdvectionScene::named(name).unwrap()
+}
+
+fn step() -> AdvectionScene {
+    named("advection-step")
+}
+
+/// `cos 2πmx`.
+fn wave(m: f64) -> AdvectionScene {
+    let text = "equation = \"advection\"\ndomain = [0, 1]\nend_time = 1\n[[layer]]\nto = 1\n";
+    let (k, phase) = (2.0 * PI * m, 0.5 * PI);
+    let value = format!("mean = 0, amplitude = 1, wave_number = {k:?}, phase = {phase:?}");
+    AdvectionScene::parse(&format!("{text}value = {{ {value} }}"), "wave").unwrap()
+}
+
+fn plan(
+    scheme: AdvectionScheme,
+    scene: AdvectionScene,
+    particles: usize,
+    layout: Layout,
+) -> RunPlan {
     let method = method(scheme, Kernel::CubicSpline, "2", 0.8);
-    RunPlan { scene, method, particles, periods: 1.0, layout }
+    RunPlan { scene, method, particles, layout }
 }
 
 #[test]
 fn the_scenes_of_the_paper() {
-    let step = Scene::Step;
-    for (position, value) in [(0.0, 1.0), (0.25, 1.0), (0.5, 1.0), (0.500001, 0.25), (0.9, 0.25)] {
+    let step = step();
+    for (position, value) in
+        [(0.0, 1.0), (0.25, 1.0), (0.499999, 1.0), (0.500001, 0.25), (0.9, 0.25)]
+    {
         assert_eq!(step.initial(position), value);
         assert_eq!(step.initial(position + 3.0), value);
     }
     assert_eq!(step.exact(0.1, 0.25), 0.25);
-    let smooth = Scene::Gaussian;
+    let smooth = named("advection-gaussian");
     assert_eq!(smooth.initial(0.5), 1.25);
     // 8·4²·0.1² = 1.28.
     assert!((smooth.initial(0.4) - (0.25 + (-1.28f64).exp())).abs() < 1e-15);
-    for scene in Scene::NAMED {
-        assert_eq!(scene.name().parse(), Ok(scene));
-    }
-    assert!("advection-ramp".parse::<Scene>().is_err());
+    assert_eq!(AdvectionScene::named("sod"), None);
 }
 
 #[test]
 fn waves_are_waves() {
-    let single = Scene::mode(3);
+    let single = wave(3.0);
     assert!((single.initial(1.0 / 12.0)).abs() < 1e-15);
     assert!((single.exact(0.5, 0.5) - 1.0).abs() < 1e-15);
-    // Σ_{m=1}^{M} cos 2πmx = (sin((2M+1)πx)/sin πx − 1)/2.
-    let (x, highest) = (0.137, 20);
-    let kernel = (std::f64::consts::PI * x * (2 * highest + 1) as f64).sin()
-        / (std::f64::consts::PI * x).sin();
-    assert!((Scene::all_modes(highest).initial(x) - 0.5 * (kernel - 1.0)).abs() < 1e-12);
     // Every mode has modulus 1/2 in the transform of the samples, whatever its phase.
     let ring = Ring::uniform(64, 1.0).unwrap();
-    let scene = Scene::random_phases(20, 4);
-    let values: Vec<f64> = ring.positions().iter().map(|&x| scene.initial(x)).collect();
+    let noise = Quantity::Noise { mean: 0.0, amplitude: 1.0, waves: 20, seed: 4, period: 1.0 };
+    let values: Vec<f64> = ring.positions().iter().map(|&x| noise.at(x)).collect();
+    // The integral against the midpoint rule, which is exact for waves this long up to their second difference.
+    let sum: f64 =
+        (0..10_000).map(|i| noise.at(0.3 * (f64::from(i) + 0.5) / 1e4) * 0.3 / 1e4).sum();
+    assert!((noise.integral(0.0, 0.3) - sum).abs() < 1e-5);
     let modes = RingModes::new(64);
     for mode in 0..=32 {
         let expected = if (1..=20).contains(&mode) { 0.5 } else { 0.0 };
         assert!((modes.amplitude(mode, &values).norm() - expected).abs() < 1e-13);
+    }
+}
+
+/// Mirrored and scaled, the flow is the same.
+#[test]
+fn a_flow_to_the_left_on_another_period_is_the_mirror_image() {
+    let run = |scene| run(&plan(AdvectionScheme::GodunovSph, scene, 100, Layout::Uniform)).unwrap();
+    let scene = |domain: &str, velocity: f64, layers: [(f64, f64); 2]| {
+        let head =
+            format!("equation = \"advection\"\ndomain = {domain}\nvelocity = {velocity:?}\n");
+        let layers = layers.map(|(to, value)| format!("[[layer]]\nto = {to}\nvalue = {value}\n"));
+        let text = format!("{head}end_time = 0.4\n{}", layers.concat());
+        AdvectionScene::parse(&text, "mine").unwrap()
+    };
+    let right = run(scene("[0, 1]", 1.0, [(0.25, 2.0), (1.0, 1.0)]));
+    let left = run(scene("[3, 5]", -2.0, [(4.5, 1.0), (5.0, 2.0)]));
+    assert_eq!((right.run.steps, right.run.time), (left.run.steps, left.run.time));
+    for (i, x) in left.positions.iter().enumerate() {
+        let j = 99 - i;
+        assert!((5.0 - x - 2.0 * right.positions[j]).abs() < 1e-13);
+        assert!((left.computed[i] - right.computed[j]).abs() < 1e-13);
+        assert_eq!(left.exact[i], right.exact[j]);
     }
 }
 
@@ -70,29 +114,35 @@ fn work_is_counted() {
         (AdvectionScheme::EulerSph, Layout::Uniform, 8),
         (AdvectionScheme::LaxWendroffSph, Layout::Uniform, 8),
     ] {
-        let result = run(&plan(scheme, Scene::Step, 100, layout)).unwrap();
-        assert_eq!((result.steps, result.outcome), (125, Outcome::Completed));
+        let result = run(&plan(scheme, step(), 100, layout)).unwrap();
+        assert_eq!((result.run.steps, result.run.failure), (125, None));
         assert_eq!(result.courant_number, 0.8);
-        assert_eq!(result.interactions, 125 * 100 * per_particle, "{scheme} {layout:?}");
+        assert_eq!(
+            result.run.counters.interactions,
+            125 * 100 * per_particle,
+            "{scheme} {layout:?}"
+        );
     }
 }
 
 #[test]
 fn both_layouts_give_the_same_run() {
     for scheme in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
-        let lattice = run(&plan(scheme, Scene::Gaussian, 200, Layout::Lattice)).unwrap();
-        let particles = run(&plan(scheme, Scene::Gaussian, 200, Layout::Uniform)).unwrap();
+        let lattice =
+            run(&plan(scheme, named("advection-gaussian"), 200, Layout::Lattice)).unwrap();
+        let particles =
+            run(&plan(scheme, named("advection-gaussian"), 200, Layout::Uniform)).unwrap();
         // Positions up to 1 carry 1e-16, distances of 0.005 a hundred times that, over 250 steps.
         assert!(distance(&lattice.computed, &particles.computed) < 1e-11, "{scheme}");
         let still = Layout::Disordered { disorder: 0.0, seed: 1 };
-        let disordered = run(&plan(scheme, Scene::Gaussian, 200, still)).unwrap();
+        let disordered = run(&plan(scheme, named("advection-gaussian"), 200, still)).unwrap();
         assert!(distance(&lattice.computed, &disordered.computed) < 1e-11, "{scheme}");
     }
 }
 
 #[test]
 fn godunov_is_monotone_and_lax_wendroff_is_not() {
-    let run = |scheme| run(&plan(scheme, Scene::Step, 200, Layout::Lattice)).unwrap().comparison;
+    let run = |scheme| run(&plan(scheme, step(), 200, Layout::Lattice)).unwrap().comparison;
     let godunov = run(AdvectionScheme::GodunovSph);
     assert!(godunov.extrema.max <= 1.0 + 1e-13 && godunov.extrema.min >= 0.25 - 1e-13);
     assert!(godunov.total_variation <= 1.5 + 1e-12 && godunov.exact_total_variation == 1.5);
@@ -110,8 +160,8 @@ fn orders_of_convergence() {
         [(AdvectionScheme::GodunovSph, 1.0), (AdvectionScheme::LaxWendroffSph, 2.0)]
     {
         let error = |particles| {
-            let mut plan = plan(scheme, Scene::mode(1), particles, Layout::Lattice);
-            plan.periods = 0.25;
+            let mut plan = plan(scheme, wave(1.0), particles, Layout::Lattice);
+            plan.scene.end_time = 0.25;
             run(&plan).unwrap().comparison.l2
         };
         let observed = (error(400) / error(800)).log2();
@@ -121,20 +171,21 @@ fn orders_of_convergence() {
 
 #[test]
 fn an_unstable_run_ends_with_a_reason() {
-    let mut plan = plan(AdvectionScheme::EulerSph, Scene::Step, 100, Layout::Lattice);
+    let mut plan = plan(AdvectionScheme::EulerSph, step(), 100, Layout::Lattice);
     plan.method.courant_number = 1.0;
-    plan.periods = 1000.0;
+    plan.scene.end_time = 1000.0;
     let result = run(&plan).unwrap();
-    let Outcome::Overflowed { steps } = result.outcome else { panic!("{:?}", result.outcome) };
-    assert_eq!(steps, result.steps);
-    assert!(steps < 20_000 && result.time < 1000.0);
+    let failure = result.run.failure.unwrap();
+    assert!(matches!(failure.reason, Reason::NotFinite { .. }), "{failure}");
+    assert!(failure.step < 20_000 && result.run.time < 1000.0);
     assert!(!result.comparison.l2.is_finite());
 }
 
 #[test]
 fn a_run_without_end_does_not_start() {
-    let mut plan = plan(AdvectionScheme::GodunovSph, Scene::SquareWave, 10, Layout::Lattice);
-    plan.periods = 1e300;
+    let mut plan =
+        plan(AdvectionScheme::GodunovSph, named("advection-square"), 10, Layout::Lattice);
+    plan.scene.end_time = 1e300;
     let error = run(&plan).unwrap_err();
     // Ten particles at the plan's Courant number.
     let PlanError::Steps(steps) = error else { panic!("{error}") };
@@ -144,37 +195,37 @@ fn a_run_without_end_does_not_start() {
 
 #[test]
 fn an_observer_may_stop_a_run() {
-    let mut plan = plan(AdvectionScheme::GodunovSph, Scene::Step, 100, Layout::Lattice);
-    plan.periods = 100.0;
+    let mut plan = plan(AdvectionScheme::GodunovSph, step(), 100, Layout::Lattice);
+    plan.scene.end_time = 100.0;
     let result = run_with(&plan, |time| {
         if time > 4.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })
     .unwrap();
     // 12,500 equal steps to 100 periods: the 501st passes 4.
-    assert_eq!(result.outcome, Outcome::Cancelled { steps: 501 });
-    assert!((result.time - 501.0 * 100.0 / 12_500.0).abs() < 1e-12);
+    assert_eq!((result.run.steps, result.run.failure), (501, None));
+    assert!((result.run.time - 501.0 * 100.0 / 12_500.0).abs() < 1e-12);
 }
 
 #[test]
 fn steps_divide_the_way_evenly() {
     for (courant_number, steps) in [(0.1, 2000), (0.3, 667), (1.9, 106), (200.0, 1), (500.0, 1)] {
-        let mut plan = plan(AdvectionScheme::GodunovSph, Scene::Step, 200, Layout::Lattice);
+        let mut plan = plan(AdvectionScheme::GodunovSph, step(), 200, Layout::Lattice);
         plan.method.courant_number = courant_number;
         let result = run(&plan).unwrap();
-        assert_eq!(result.steps, steps);
+        assert_eq!(result.run.steps, steps);
         assert!(result.courant_number <= courant_number * (1.0 + 1e-15));
         assert!((result.courant_number * steps as f64 - 200.0).abs() < 1e-10);
     }
     // A Courant number short by a rounding takes no step more.
-    let mut plan = plan(AdvectionScheme::GodunovSph, Scene::Step, 300, Layout::Lattice);
+    let mut plan = plan(AdvectionScheme::GodunovSph, step(), 300, Layout::Lattice);
     plan.method.courant_number = 0.3f64.next_down();
     assert!(300.0 / plan.method.courant_number > 1000.0);
-    assert_eq!(run(&plan).unwrap().steps, 1000);
+    assert_eq!(run(&plan).unwrap().run.steps, 1000);
 }
 
 #[test]
 fn plans_out_of_range_are_refused() {
-    let good = plan(AdvectionScheme::GodunovSph, Scene::Step, 10, Layout::Uniform);
+    let good = plan(AdvectionScheme::GodunovSph, step(), 10, Layout::Uniform);
     let with = |change: fn(&mut RunPlan)| {
         let mut plan = good.clone();
         change(&mut plan);
@@ -185,7 +236,7 @@ fn plans_out_of_range_are_refused() {
         with(|p| p.method.courant_number = -1.0),
         PlanError::Method(MethodError::CourantNumber(-1.0))
     );
-    assert_eq!(with(|p| p.periods = 0.0), PlanError::Periods(0.0));
+    assert_eq!(with(|p| p.scene.end_time = 0.0), PlanError::EndTime(0.0));
     assert_eq!(with(|p| p.particles = 0), PlanError::Ring(RingError::Empty));
 }
 
