@@ -10,7 +10,7 @@
 /// ```
 pub fn spells(text: &str, name: &str) -> bool {
     let letters = |text: &str| -> String {
-        let kept = text.chars().filter(|c| !matches!(c, '-' | '_' | ' '));
+        let kept = text.chars().filter(|c| !matches!(c, '-' | '–' | '_' | ' '));
         kept.map(|c| c.to_ascii_lowercase()).collect()
     };
     letters(text) == letters(name)

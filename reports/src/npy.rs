@@ -137,6 +137,12 @@ fn shape(text: &str) -> Option<Vec<usize>> {
     sizes.map(|size| size.parse().ok()).collect()
 }
 
+/// The axes of a map, beside its arrays `[x, y]`: names that begin with `stem`, and contents.
+pub(crate) fn axes(stem: &str, x: &[f64], y: &[f64]) -> [(String, Vec<u8>); 2] {
+    [("x", x), ("y", y)]
+        .map(|(name, values)| (format!("{stem}_{name}.npy"), bytes(&[values.len()], values.iter())))
+}
+
 /// The same of rows that stand one after another.
 ///
 /// # Panics

@@ -152,19 +152,15 @@ impl PlaneMap {
                 limits.push_str(&row(interval.from.upper(), interval.to.value()));
             }
         }
-        let axis = |axis: &PlaneAxis| {
-            npy::encode(&Array2::from_shape_fn((1, axis.values.len()), |(_, i)| {
-                to_f64(&axis.values[i])
-            }))
-        };
-        vec![
+        [
             (format!("{stem}.csv"), points.into_bytes()),
             (format!("{stem}_limits.csv"), limits.into_bytes()),
             (format!("{stem}_max_gain.npy"), npy::encode(&self.largest)),
             (format!("{stem}_min_gain.npy"), npy::encode(&self.lowest)),
-            (format!("{stem}_x.npy"), axis(x)),
-            (format!("{stem}_y.npy"), axis(y)),
         ]
+        .into_iter()
+        .chain(npy::axes(stem, &floats(x), &floats(y)))
+        .collect()
     }
 }
 

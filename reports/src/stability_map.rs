@@ -300,12 +300,17 @@ impl StabilityMap {
 
     /// Every data file of the map: names that begin with `stem`, and contents.
     pub fn data_files(&self, stem: &str) -> Vec<(String, Vec<u8>)> {
-        vec![
+        let floats = |values: &[Rational]| -> Vec<f64> { values.iter().map(to_f64).collect() };
+        let axes = npy::axes(stem, &floats(&self.plan.ratios), &floats(&self.plan.courant_numbers));
+        [
             (format!("{stem}.csv"), self.to_csv().into_bytes()),
             (format!("{stem}_limits.csv"), self.limits_csv().into_bytes()),
             (format!("{stem}_max_gain.npy"), npy::encode(&self.gains.growth.mapv(|g| 1.0 + g))),
             (format!("{stem}_min_gain.npy"), npy::encode(&self.gains.lowest_gain)),
         ]
+        .into_iter()
+        .chain(axes)
+        .collect()
     }
 }
 

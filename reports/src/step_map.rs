@@ -98,10 +98,9 @@ impl StepMap {
         for ((i, j), step) in self.steps.indexed_iter() {
             text.push_str(&format!("{},{},{step}\n", self.ratios[i], self.alphas[j]));
         }
-        vec![
-            (format!("{stem}.csv"), text.into_bytes()),
-            (format!("{stem}_stable_step.npy"), npy::encode(&self.steps)),
-        ]
+        let array = (format!("{stem}_stable_step.npy"), npy::encode(&self.steps));
+        let axes = npy::axes(stem, &self.ratios, &self.alphas);
+        [(format!("{stem}.csv"), text.into_bytes()), array].into_iter().chain(axes).collect()
     }
 }
 

@@ -242,10 +242,9 @@ impl WaveMap {
             let damping = self.damping_ratio[[i, j]];
             text.push_str(&format!("{kappa},{other},{shown},{damping}\n"));
         }
-        vec![
-            (format!("{stem}.csv"), text.into_bytes()),
-            (format!("{stem}_{value}.npy"), npy::encode(&self.values)),
-        ]
+        let array = (format!("{stem}_{value}.npy"), npy::encode(&self.values));
+        let axes = npy::axes(stem, &self.kappas, &self.second);
+        [(format!("{stem}.csv"), text.into_bytes()), array].into_iter().chain(axes).collect()
     }
 }
 

@@ -194,7 +194,7 @@ pub fn set(set: &StableSet) -> String {
     });
     let all: Vec<String> = zero.into_iter().chain(stretches).collect();
     if all.is_empty() && set.undecided.is_empty() {
-        "empty".into()
+        "without an interval".into()
     } else if all.is_empty() {
         "nothing decided".into()
     } else {
@@ -218,7 +218,7 @@ pub fn describe(limit: &Limit, symbol: &str, asked: Option<usize>) -> String {
                 format!("undecided beyond {symbol} = {}", significant(limit.lower(), 6))
             }
             evidence if limit.is_unbounded() => {
-                format!("none: stable without limit, {}", evidence.name())
+                format!("none, however large, {}", evidence.name())
             }
             _ => format!("none up to {symbol} = {}", significant(limit.lower(), 6)),
         };

@@ -105,6 +105,9 @@ impl AlgebraicNumber {
 
     /// The number to the power of its index as a fraction, if it is one of moderate size.
     pub(crate) fn power_as_fraction(&self) -> Option<Rational> {
+        if let [constant, slope] = self.polynomial.coefficients() {
+            return Some(Rational::new(-constant.clone(), slope.clone()));
+        }
         let (lower, upper) = self.enclosure_of_power(FRACTION_BITS);
         let simplest = simplest_between(&lower, &upper);
         (sign_at(&self.polynomial, &simplest) == Sign::NoSign).then_some(simplest)

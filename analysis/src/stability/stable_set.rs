@@ -85,9 +85,10 @@ impl StableSet {
             _ => {
                 let zero = Limit::exactly(ExactValue::Fraction(Rational::zero()), self.evidence);
                 let zero = match self.immediate_binding {
-                    Some(binding) => zero.bound_by(binding).included_if(true),
+                    Some(binding) => zero.bound_by(binding),
                     None => zero,
                 };
+                let zero = zero.included_if(self.at_zero);
                 let zero = match &self.immediate_offset {
                     Some(offset) => zero.at_offset(offset.clone()),
                     None => zero,

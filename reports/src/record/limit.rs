@@ -60,7 +60,8 @@ impl LimitRecord {
         let undecided = limit.evidence() == Evidence::Undecided;
         Self {
             value: finite(limit.value()),
-            lower: limit.lower() + 0.0,
+            // The decimal of the nearest number below may lie above the limit; the value's does not.
+            lower: limit.lower().min(limit.value()) + 0.0,
             upper: finite(limit.upper()),
             exact: limit.closed_form(),
             decimal: digits.and_then(|digits| limit.decimal(digits)),

@@ -2,6 +2,7 @@
 
 use crate::table::Align;
 use courant_analysis::exact::rational::{Rational, decimal_below, parse, to_text};
+use num_traits::Signed;
 
 /// What tells one row of an answer from another.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,10 +31,20 @@ impl Label {
 const LONGEST_FRACTION: usize = 24;
 
 /// A value in headings and cells: exact where there is room, else cut off, with an ellipsis.
+///
+/// ```
+/// use courant_analysis::exact::rational::{parse, ratio};
+/// use courant_reports::subject::shown;
+/// assert_eq!(shown(&parse("-0.12345678901").unwrap()), "-0.12345678901");
+/// assert_eq!(shown(&ratio(-1, 3).pow(25)), "-1.1802353871573832e-12…");
+/// ```
 pub fn shown(value: &Rational) -> String {
     let text = to_text(value);
     if text.len() <= LONGEST_FRACTION {
         return text;
+    }
+    if value.is_negative() {
+        return format!("-{}", shown(&-value.clone()));
     }
     let digits = decimal_below(value, 17);
     let (mantissa, exponent) = digits.split_at(digits.find('e').unwrap_or(digits.len()));

@@ -165,7 +165,7 @@ pub(super) fn remarks(
         }
         if let Some(set) = answer.monotone_set.as_ref().filter(|set| limit_text::has_gaps(set)) {
             let text = limit_text::set(set);
-            if text != "empty" || answers.len() == 1 {
+            if text != "without an interval" || answers.len() == 1 {
                 add(format!("monotone set {text}"));
             }
         }

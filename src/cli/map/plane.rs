@@ -9,6 +9,7 @@ use courant::analysis::stability::SearchPlan;
 use courant::analysis::waves::sweep::SweepError;
 use courant::reports::plane_map::{PlaneAxis, plane_map};
 use courant::reports::publish::OutputDirectory;
+use courant::reports::subject::shown;
 
 /// The longest name of a file before its axes.
 const LONGEST_STEM: usize = 60;
@@ -22,6 +23,11 @@ pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcom
     for (option, axis) in [("--x", x), ("--y", y)] {
         numbers::axis(&numbers::Names(axis.values.clone()))
             .map_err(|problem| refuse(format!("{option} {}: {problem}", axis.name)))?;
+    }
+    // Stability is decided from 0 on.
+    for value in &y.values {
+        numbers::from_zero(value.clone())
+            .map_err(|problem| refuse(format!("--y {} = {}: {problem}", y.name, shown(value))))?;
     }
     if x.name == y.name {
         return Err(refuse(format!("--y {}: it is the parameter of --x", y.name)));
