@@ -187,7 +187,7 @@ fn explosion_keeps_its_energy_and_its_shell_is_where_it_belongs() {
     let scene = scene("sedov");
     let mut options = scene.options(ParticleMethod::Gph3);
     let global = run(&scene, 1728, &options);
-    options = options.in_blocks(4);
+    options.sharing = StepSharing::Block { levels: 4 };
     let block = run(&scene, 1728, &options);
     for run in [&global, &block] {
         assert!(

@@ -9,8 +9,8 @@ use crate::boundary::Boundary;
 use crate::march::{Limits, march};
 use crate::particles::{
     Confined, Domain, Gas, Integrator, MethodOptions, PairForce, ParticleEvolution, ParticleSystem,
-    Particles, Smoothing, SmoothingKernel, Task, ThermalState, Vector, dispatch, dot, plus_scaled,
-    table,
+    Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
+    plus_scaled, table,
 };
 use crate::run::{Conservation, Counters, InvalidOptions, Penetration, Promise, Run};
 use std::ops::ControlFlow;
@@ -96,14 +96,13 @@ pub fn run_cloud(
 
 /// The options of a method with what is customary for a cloud: about 50 neighbours, 0.4 of the crossing time, and for an
 /// isothermal gas block steps of at most eight halvings. A gas that heats up as its centre collapses shares one
-/// step: blocks cannot follow a bounce that begins inside them.
+/// step: blocks cannot follow a bounce that begins inside them. Both are first order in time, the paper's SPH is of second.
 pub fn cloud_options(cloud: &Cloud, mut options: MethodOptions) -> MethodOptions {
+    let levels = if cloud.sound_speed().is_some() { 8 } else { 0 };
     options.eta = 1.145;
-    options.courant = 0.4;
-    if cloud.sound_speed().is_some() {
-        return options.in_blocks(8);
-    }
+    options.sharing = StepSharing::Block { levels };
     options.integrator = Integrator::named("centred-euler").expect("it is in the catalogue");
+    options.courant = 0.4;
     options
 }
 

@@ -33,6 +33,7 @@ pub struct SelfGravity<S> {
     acceleration: Vec<Vector<3>>,
     /// Of the last update, by the sink.
     pull: Vec<Vector<3>>,
+    marked: Vec<bool>,
     kept: S,
 }
 
@@ -58,6 +59,7 @@ impl<S: MaybeSink> SelfGravity<S> {
             tree: Octree::default(),
             acceleration: Vec::new(),
             pull: Vec::new(),
+            marked: Vec::new(),
         }
     }
 
@@ -102,6 +104,8 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
         if !known {
             self.acceleration.clear();
             self.acceleration.resize(count, [0.0; 3]);
+            self.marked.clear();
+            self.marked.resize(count, false);
         }
         let bodies = bodies(particles);
         self.tree.build(&bodies);
@@ -128,7 +132,7 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
                 self.interactions += found.interactions;
             }
         }
-        self.sink.look(particles, &active, self.constant, &mut self.pull);
+        self.sink.look(particles, &active, self.constant, &mut self.pull, &mut self.marked);
     }
 
     #[inline]
@@ -156,19 +160,15 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
         self.sink.drift(duration);
     }
 
-    fn settle<G: Gas>(
-        &mut self,
-        system: &mut ParticleSystem<3, G>,
-        ended: impl Fn(usize) -> bool,
-    ) -> Vec<bool> {
-        let stays = self.sink.swallow(&system.particles, ended, self.constant);
-        if !stays.is_empty() {
-            let stays = |i: usize| stays[i];
+    fn settle<G: Gas>(&mut self, system: &mut ParticleSystem<3, G>) {
+        if self.sink.swallow(&system.particles, &self.marked, self.constant) {
+            let stays = |i: usize| !self.marked[i];
             system.retain(stays);
             keep_only(&mut self.acceleration, stays);
             keep_only(&mut self.pull, stays);
+            self.marked.clear();
+            self.marked.resize(self.acceleration.len(), false);
         }
-        stays
     }
 
     fn keep(&mut self) {
@@ -177,5 +177,6 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
 
     fn restore(&mut self) {
         self.sink.clone_from(&self.kept);
+        self.marked.fill(false);
     }
 }

@@ -97,13 +97,14 @@ pub trait MaybeSink: Clone + std::fmt::Debug + Send + Sync {
     /// The potential over `G` at `x`.
     fn potential(&self, x: &Vector<3>) -> f64;
 
-    /// Its attraction on the active particles.
+    /// Its attraction on the active particles, and which of them it will take.
     fn look<T: ThermalState>(
         &self,
         particles: &Particles<3, T>,
         active: impl Fn(usize) -> bool,
         constant: f64,
         pull: &mut Vec<Vector<3>>,
+        marked: &mut [bool],
     );
 
     /// Gives it momentum.
@@ -112,14 +113,13 @@ pub trait MaybeSink: Clone + std::fmt::Debug + Send + Sync {
     /// Moves it.
     fn drift(&mut self, duration: f64);
 
-    /// Takes up what it [takes](Sink::takes) of those whose step has ended, in their order. By number, who stays; empty if
-    /// all do.
+    /// Takes the marked particles up, in their order; whether there were any.
     fn swallow<T: ThermalState>(
         &mut self,
         particles: &Particles<3, T>,
-        ended: impl Fn(usize) -> bool,
+        marked: &[bool],
         constant: f64,
-    ) -> Vec<bool>;
+    ) -> bool;
 }
 
 impl MaybeSink for () {
@@ -138,6 +138,7 @@ impl MaybeSink for () {
         _: impl Fn(usize) -> bool,
         _: f64,
         _: &mut Vec<Vector<3>>,
+        _: &mut [bool],
     ) {
     }
 
@@ -145,13 +146,8 @@ impl MaybeSink for () {
 
     fn drift(&mut self, _: f64) {}
 
-    fn swallow<T: ThermalState>(
-        &mut self,
-        _: &Particles<3, T>,
-        _: impl Fn(usize) -> bool,
-        _: f64,
-    ) -> Vec<bool> {
-        Vec::new()
+    fn swallow<T: ThermalState>(&mut self, _: &Particles<3, T>, _: &[bool], _: f64) -> bool {
+        false
     }
 }
 
@@ -170,10 +166,14 @@ impl MaybeSink for Sink {
         active: impl Fn(usize) -> bool,
         constant: f64,
         pull: &mut Vec<Vector<3>>,
+        marked: &mut [bool],
     ) {
         pull.resize(particles.len(), [0.0; 3]);
         for i in (0..particles.len()).filter(|&i| active(i)) {
-            pull[i] = self.attraction(&particles.position[i]).map(|a| constant * a);
+            let (x, v) = (&particles.position[i], &particles.velocity[i]);
+            pull[i] = self.attraction(x).map(|a| constant * a);
+            // Once marked, always: it may be through the other side before the step of the whole ends.
+            marked[i] |= self.takes(x, v, constant);
         }
     }
 
@@ -188,19 +188,15 @@ impl MaybeSink for Sink {
     fn swallow<T: ThermalState>(
         &mut self,
         particles: &Particles<3, T>,
-        ended: impl Fn(usize) -> bool,
+        marked: &[bool],
         constant: f64,
-    ) -> Vec<bool> {
-        let mut stays = Vec::new();
-        for i in (0..particles.len()).filter(|&i| ended(i)) {
+    ) -> bool {
+        let before = self.taken;
+        for (i, _) in marked.iter().enumerate().filter(|(_, marked)| **marked) {
             let (x, v) = (&particles.position[i], &particles.velocity[i]);
-            if self.takes(x, v, constant) {
-                self.take(x, v, particles.mass[i], constant);
-                stays.resize(particles.len(), true);
-                stays[i] = false;
-            }
+            self.take(x, v, particles.mass[i], constant);
         }
-        stays
+        self.taken > before
     }
 }
 
@@ -218,14 +214,12 @@ mod tests {
         let mut sink = Sink::new([0.1, 0.0, 0.0], 1.0, 0.2);
         sink.velocity = [0.0, 0.3, 0.0];
         let parts = [([0.15, 0.1, 0.0], [-0.4, 0.1, 0.2], 0.25), ([0.0, 0.0, 0.05], [0.3; 3], 0.5)];
-        let late = ([0.1, 0.1, 0.0], [0.0; 3], 0.5);
-        let all = [parts[0], parts[1], late];
         let particles = Particles {
-            position: all.map(|part| part.0).to_vec(),
-            velocity: all.map(|part| part.1).to_vec(),
-            mass: all.map(|part| part.2).to_vec(),
-            thermal: vec![(); 3],
-            smoothing: vec![0.1; 3],
+            position: parts.map(|part| part.0).to_vec(),
+            velocity: parts.map(|part| part.1).to_vec(),
+            mass: parts.map(|part| part.2).to_vec(),
+            thermal: vec![(); 2],
+            smoothing: vec![0.1; 2],
         };
         let momentum = |sink: &Sink| sink.velocity.map(|v| v * sink.mass);
         let orbit = |m: f64, x: &Vector<3>, v: &Vector<3>| cross(x, v).map(|l| m * l);
@@ -235,9 +229,7 @@ mod tests {
             total = plus_scaled(&total, *m, v);
             turning = plus_scaled(&turning, 1.0, &orbit(*m, x, v));
         }
-        // The step of the last one has not ended.
-        let stays = sink.swallow(&particles, |i| i < 2, 1.0);
-        assert_eq!(stays, [false, false, true]);
+        assert!(sink.swallow(&particles, &[true, true], 1.0));
         let after = plus_scaled(&orbit(sink.mass, &sink.position, &sink.velocity), 1.0, &sink.spin);
         assert!(sink.taken == 2 && sink.mass == 1.75);
         for axis in 0..3 {

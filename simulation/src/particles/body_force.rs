@@ -31,12 +31,8 @@ pub trait BodyForce<const D: usize>: Sync {
     /// Moves what exerts the force, if it moves, by a step in which all particles drift.
     fn drift(&mut self, duration: f64);
 
-    /// What happens to the particles whose step has ended: some may be taken out. By number, who stays; empty if all do.
-    fn settle<G: Gas>(
-        &mut self,
-        system: &mut ParticleSystem<D, G>,
-        ended: impl Fn(usize) -> bool,
-    ) -> Vec<bool>;
+    /// What happens to the particles between steps: some may be taken out.
+    fn settle<G: Gas>(&mut self, system: &mut ParticleSystem<D, G>);
 
     /// Remembers its state before a step that may be rejected.
     fn keep(&mut self);
@@ -66,13 +62,7 @@ impl<const D: usize> BodyForce<D> for () {
 
     fn drift(&mut self, _: f64) {}
 
-    fn settle<G: Gas>(
-        &mut self,
-        _: &mut ParticleSystem<D, G>,
-        _: impl Fn(usize) -> bool,
-    ) -> Vec<bool> {
-        Vec::new()
-    }
+    fn settle<G: Gas>(&mut self, _: &mut ParticleSystem<D, G>) {}
 
     fn keep(&mut self) {}
 

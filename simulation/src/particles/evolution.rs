@@ -172,12 +172,10 @@ impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> ParticleEvolution<D,
     fn step(&mut self, step: f64) -> Result<(), Reason> {
         let Self { system, force, body, .. } = self;
         match &mut self.stepping {
-            Stepping::Global(stepper) => {
-                stepper.step(system, force, body, step)?;
-                body.settle(system, |_| true);
-            }
+            Stepping::Global(stepper) => stepper.step(system, force, body, step)?,
             Stepping::Blocks(stepper) => stepper.block(system, force, body, step)?,
         }
+        body.settle(system);
         system.update_fields()
     }
 }
@@ -220,7 +218,7 @@ impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> Evolution
         let impulse = self.wall_impulse();
         self.wanted = None;
         self.step(step).inspect_err(|_| {
-            // Particles that were taken out in the meantime are back.
+            // Breaks come before particles are taken out: there are as many as before.
             std::mem::swap(&mut self.before, &mut self.system.particles);
             self.set_wall_impulse(impulse);
             self.body.restore();

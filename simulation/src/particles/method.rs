@@ -109,7 +109,7 @@ impl SolverChoice {
 pub enum StepSharing {
     /// Everybody.
     Global,
-    /// Blocks of steps that differ by powers of two, at most `2^levels`, by leapfrog.
+    /// Blocks of steps that differ by powers of two, at most `2^levels`. First order in time.
     Block {
         /// The depth of the hierarchy.
         levels: u32,
@@ -164,9 +164,6 @@ pub struct MethodOptions {
     pub max_steps: usize,
 }
 
-/// What block steps are.
-const BLOCK_INTEGRATOR: &str = "leapfrog-kdk";
-
 impl MethodOptions {
     /// The customary options of a method.
     pub fn new(method: ParticleMethod) -> Self {
@@ -217,14 +214,6 @@ impl MethodOptions {
         }
     }
 
-    /// The same in blocks of steps that are halved at most `levels` times.
-    #[must_use]
-    pub fn in_blocks(mut self, levels: u32) -> Self {
-        self.sharing = StepSharing::Block { levels };
-        self.integrator = Integrator::named(BLOCK_INTEGRATOR).expect("it is in the catalogue");
-        self
-    }
-
     /// Whether the options make sense; the least number of particles.
     ///
     /// # Errors
@@ -241,9 +230,10 @@ impl MethodOptions {
         if self.method == ParticleMethod::Gph4 && self.kernel != Kernel::Gaussian {
             return Err(InvalidOptions::Kernel(self.kernel));
         }
-        table(self.integrator)?;
+        let table = table(self.integrator)?;
         if let StepSharing::Block { levels } = self.sharing {
-            if self.integrator.name != BLOCK_INTEGRATOR {
+            // One evaluation where the step begins, and a drift with the mean velocity.
+            if (&table.c[..], &table.position_weights[..]) != (&[0.0], &[0.5]) {
                 return Err(InvalidOptions::BlockIntegrator(&self.integrator.name));
             }
             if levels > 20 {

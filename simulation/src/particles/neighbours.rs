@@ -236,33 +236,27 @@ impl<const D: usize> Neighbours<D> {
         })
     }
 
-    /// `value[i] ← meet(i, value[i], neighbour j, value[j])` over all neighbours, places `i` and `j`, everybody at once, and again until nothing
-    /// changes. Values are by number.
+    /// `value[i] ← meet(value[i], value[j])` over all neighbours `j`, by number and for everybody at once; whether any
+    /// value changed.
     pub(super) fn spread<T: Copy + PartialEq + Send + Sync>(
         &self,
         values: &mut [T],
-        meet: impl Fn(usize, T, &Neighbour, T) -> T + Sync + Send,
-    ) {
+        meet: impl Fn(T, T) -> T + Sync + Send,
+    ) -> bool {
         let order = &self.cells.order;
-        let (mut here, mut next, mut changed) = (Vec::new(), Vec::new(), vec![true; values.len()]);
+        let (mut here, mut next) = (Vec::new(), Vec::new());
         {
             let values = &*values;
             fill(&mut here, values.len(), |at| values[order[at] as usize]);
         }
-        while changed.contains(&true) {
-            fill(&mut next, values.len(), |at| {
-                let news = self.blocks[at / BLOCK].all(at % BLOCK);
-                let news = news.filter(|neighbour| changed[neighbour.other as usize]);
-                news.fold(here[at], |own, j| meet(at, own, j, here[j.other as usize]))
-            });
-            for ((changed, old), new) in changed.iter_mut().zip(&here).zip(&next) {
-                *changed = old != new;
-            }
-            std::mem::swap(&mut here, &mut next);
-        }
-        for (&number, &value) in order.iter().zip(&here) {
+        fill(&mut next, values.len(), |at| {
+            let neighbours = self.blocks[at / BLOCK].all(at % BLOCK);
+            neighbours.fold(here[at], |own, other| meet(own, here[other.other as usize]))
+        });
+        for (&number, &value) in order.iter().zip(&next) {
             values[number as usize] = value;
         }
+        here != next
     }
 
     fn activate(&mut self, active: Option<&[u32]>) {

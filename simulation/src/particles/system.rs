@@ -111,7 +111,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         }
     }
 
-    /// Takes out the particles that are not to be kept, and their fields; pairs are those of before until they are
+    /// Takes out the particles that are not to be kept. Fields and pairs are those of before until they are
     /// [updated](Self::update_fields).
     pub fn retain(&mut self, keep: impl Fn(usize) -> bool) {
         let state = &mut self.particles;
@@ -120,26 +120,11 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         keep_only(&mut state.mass, &keep);
         keep_only(&mut state.thermal, &keep);
         keep_only(&mut state.smoothing, &keep);
-        for field in
-            [&mut self.density, &mut self.pressure, &mut self.sound_speed, &mut self.compression]
-        {
-            keep_only(field, &keep);
-        }
-        keep_only(&mut self.volume_gradient, &keep);
-    }
-
-    /// Makes room in the fields for particles that came back.
-    fn make_room(&mut self) {
-        let count = self.particles.len();
+        let count = state.len();
         for field in [&mut self.density, &mut self.pressure, &mut self.sound_speed] {
-            field.resize(count, 0.0);
+            field.truncate(count);
         }
-        if !self.compression.is_empty() {
-            self.compression.resize(count, 1.0);
-        }
-        if !self.volume_gradient.is_empty() {
-            self.volume_gradient.resize(count, [0.0; D]);
-        }
+        self.volume_gradient.truncate(count);
     }
 
     /// Densities by summation, as of the last evaluation.
@@ -204,7 +189,6 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
     }
 
     fn update(&mut self, active: Option<&[u32]>) -> Result<(), Reason> {
-        self.make_room();
         let state = &mut self.particles;
         let number = |k: usize| active.map_or(k, |active| active[k] as usize);
         let count = active.map_or(state.position.len(), <[u32]>::len);

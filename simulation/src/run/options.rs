@@ -60,8 +60,8 @@ pub enum InvalidOptions {
     /// Particles are not stepped so.
     #[error(transparent)]
     Integrator(#[from] NotExplicit),
-    /// Block steps are leapfrog.
-    #[error("integrator = {0}: block steps need leapfrog-kdk")]
+    /// Block steps are first order.
+    #[error("integrator = {0}: block steps need centred-euler")]
     BlockIntegrator(&'static str),
     /// More levels than counting of steps allows.
     #[error("levels = {0}: at most 20")]

@@ -7,7 +7,7 @@ use crate::cli::{Failure, names, numbers};
 use clap::{Args, ValueEnum};
 use courant::simulation::field::FieldScene;
 use courant::simulation::lattice::Lattice;
-use courant::simulation::particles::{ActsOn, MethodOptions};
+use courant::simulation::particles::{ActsOn, MethodOptions, StepSharing};
 
 /// Options of the scenes in boxes alone.
 #[derive(Debug, Clone, Args)]
@@ -18,7 +18,7 @@ pub struct Options {
     /// Two and three dimensions, sph1 and sph2: what tells shear from compression in the viscosity (default: none).
     #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
     pub switch: Vec<SwitchName>,
-    /// Two and three dimensions: steps in blocks, halved at most N times (default: one step for everybody), by leapfrog-kdk.
+    /// Two and three dimensions: steps in blocks, halved at most N times (default: one step for everybody; needs centred-euler).
     #[arg(long, value_name = "LIST", value_parser = levels)]
     pub levels: Option<Names<usize>>,
 }
@@ -73,10 +73,7 @@ pub fn choose(
         options.viscosity.acts_on = ActsOn::Compressing;
     }
     if let Some(levels) = one(&asked.levels) {
-        let blocks = options.in_blocks(*levels as u32);
-        // One that was asked for is checked.
-        let integrator = arguments.choices.integrator(blocks.integrator);
-        *options = MethodOptions { integrator, ..blocks };
+        options.sharing = StepSharing::Block { levels: *levels as u32 };
     }
     Ok(())
 }

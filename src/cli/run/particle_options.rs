@@ -62,7 +62,7 @@ pub fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &str) -> F
             format!("--{name} {value}: it must be above 0")
         }
         InvalidOptions::BlockIntegrator(name) => {
-            format!("--integrator {name}: --levels needs leapfrog-kdk")
+            format!("--integrator {name}: --levels needs centred-euler")
         }
         InvalidOptions::TooMuch { .. } => {
             format!("SCENE {}, --method {method}: {error}", arguments.scene())

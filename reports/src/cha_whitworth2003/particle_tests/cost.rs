@@ -18,7 +18,9 @@ pub(super) fn plans() -> Vec<Plan> {
     let of = |name| {
         let customary = every_method(&scene(name));
         let blocks = customary.clone().into_iter().filter(|plan| plan.1.method.is_godunov());
-        let blocks = blocks.map(|(scene, options)| (scene, options.in_blocks(LEVELS)));
+        let blocks = blocks.map(|(scene, options)| {
+            (scene, MethodOptions { sharing: StepSharing::Block { levels: LEVELS }, ..options })
+        });
         customary.into_iter().chain(blocks).collect::<Vec<Plan>>()
     };
     SCENES.into_iter().flat_map(of).collect()
