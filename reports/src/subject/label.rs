@@ -35,7 +35,7 @@ const LONGEST_FRACTION: usize = 24;
 /// ```
 /// use courant_analysis::exact::rational::{parse, ratio};
 /// use courant_reports::subject::shown;
-/// assert_eq!(shown(&parse("-0.123456789012").unwrap()), "-0.123456789012");
+/// assert_eq!(shown(&parse("-0.1234567890123").unwrap()), "-0.1234567890123");
 /// assert_eq!(shown(&ratio(-1, 3).pow(51)), "-4.6431852303284611e-25…");
 /// ```
 pub fn shown(value: &Rational) -> String {
