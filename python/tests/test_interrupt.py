@@ -9,14 +9,6 @@ import pytest
 import courant_stability as courant
 
 
-@pytest.fixture(autouse=True)
-def ctrl_c():
-    """Ctrl-C is heard, also where the tests run in the background of a script, which leaves it ignored."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
-
-
 def interrupted(work):
     """Asks for something that takes minutes, and presses Ctrl-C meanwhile."""
     key = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
