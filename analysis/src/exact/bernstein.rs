@@ -11,17 +11,17 @@ use crate::stability::margin::Margin;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
-use std::collections::VecDeque;
-use std::ops::AddAssign;
 
 mod basis;
 mod cover;
+mod fixed_point;
 #[cfg(test)]
 mod resolution;
 
 pub(crate) use basis::polar_weights;
 use basis::{binomials, scaled_bernstein, stretched};
 pub use cover::{SignedBox, exact_cover};
+use fixed_point::{amplification, nowhere_negative};
 
 /// How much work a decision took: counts, not seconds, so that tests can hold it down.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -223,102 +223,6 @@ impl MarginForm {
         };
         rows.iter().map(|row| row.iter().zip(&self.binomials).map(cut).collect()).collect()
     }
-}
-
-/// How many bits the Bernstein coefficients of this degree may exceed the polynomial by.
-fn amplification(degree: usize) -> i64 {
-    3 * degree as i64 / 2
-}
-
-/// What fixed point is made of: long integers, or machine integers where they suffice.
-trait Fixed: Signed + Clone + Default + Ord + From<i32> + for<'a> AddAssign<&'a Self> {
-    /// `⌊self/2^bits⌋`.
-    fn halved(self, bits: usize) -> Self;
-}
-
-impl Fixed for i128 {
-    fn halved(self, bits: usize) -> Self {
-        self >> bits
-    }
-}
-
-impl Fixed for BigInt {
-    fn halved(self, bits: usize) -> Self {
-        self >> bits
-    }
-}
-
-/// Whether the polynomial with these Bernstein coefficients over `0 ≤ s ≤ 1` and a range of `t`, `[index in t][index in s]`, each cut
-/// off downwards by less than one unit, is nowhere negative. `None` where rounding alone may make a corner negative, if that is to stop it.
-fn nowhere_negative<T: Fixed>(
-    first: Vec<Vec<T>>,
-    [from, to]: [&Rational; 2],
-    max_boxes: usize,
-    stops_at_doubts: bool,
-    interest: &Interest,
-) -> Option<(Sign, Work)> {
-    let mut work = Work::default();
-    // Boxes with the left end of their s-interval in units of 2^−depth, coarse ones first: a
-    // counterexample elsewhere is met before a touching zero is pursued without end.
-    let mut pending = VecDeque::from([(first, BigInt::zero(), 0)]);
-    while let Some((current, left_end, depth)) = pending.pop_front() {
-        work.boxes += 1;
-        if current.iter().flatten().all(|value| !value.is_negative()) {
-            continue;
-        }
-        // Each of the `depth + 1` roundings lowered a number by less than one unit.
-        let rounding = -T::from(depth + 1);
-        let corners = [(&current[0], from), (&current[current.len() - 1], to)];
-        for (row, t) in corners {
-            for (value, step) in [(&row[0], 0), (&row[row.len() - 1], 1)] {
-                if *value < rounding {
-                    let s = Rational::new(&left_end + step, BigInt::one() << depth);
-                    let corner = Sign::SomewhereNegative {
-                        phase_parameter: s,
-                        courant_parameter: t.clone(),
-                    };
-                    return Some((corner, work));
-                }
-                if stops_at_doubts && value.is_negative() {
-                    return None;
-                }
-            }
-        }
-        if work.boxes + pending.len() + 2 > max_boxes || interest.is_lost() {
-            return Some((Sign::Undecided, work));
-        }
-        let (left, right) = halve(current, |sum, _, level| sum.halved(level));
-        let first: BigInt = left_end << 1;
-        pending.push_back((left, first.clone(), depth + 1));
-        pending.push_back((right, first + 1, depth + 1));
-    }
-    Some((Sign::NowhereNegative, work))
-}
-
-/// The halves at the middle of the `s`-interval by de Casteljau's algorithm on every row. Sums are taken
-/// instead of means: `scale` gets a final one with the degree and with its level `r`, at which it is `2^r`
-/// times the true coefficient.
-fn halve<T: Clone + Default + for<'a> AddAssign<&'a T>>(
-    mut rows: Vec<Vec<T>>,
-    scale: impl Fn(T, usize, usize) -> T,
-) -> (Vec<Vec<T>>, Vec<Vec<T>>) {
-    let mut left_rows = Vec::with_capacity(rows.len());
-    for row in &mut rows {
-        let degree = row.len() - 1;
-        let mut left = Vec::with_capacity(row.len());
-        for level in 0..=degree {
-            left.push(scale(row[0].clone(), degree, level));
-            for index in 0..degree - level {
-                let (head, tail) = row.split_at_mut(index + 1);
-                head[index] += &tail[0];
-            }
-            // The last sum of the level is final: the right half's coefficient.
-            let last = &mut row[degree - level];
-            *last = scale(std::mem::take(last), degree, level);
-        }
-        left_rows.push(left);
-    }
-    (left_rows, rows)
 }
 
 /// Whether the polynomial in `t` with these coefficients is negative on the open interval

@@ -1,7 +1,8 @@
 //! A cover of `0 ≤ s ≤ 1` by intervals on each of which no Bernstein coefficient is negative, with the
 //! signs of all coefficients: exact, so that anybody can recompute them.
 
-use super::{MarginForm, halve};
+use super::MarginForm;
+use super::fixed_point::halve;
 use crate::exact::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
