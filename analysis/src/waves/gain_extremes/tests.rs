@@ -15,12 +15,16 @@ const BITS: u32 = 167;
 
 fn random_step() -> impl Strategy<Value = Step> {
     let stencil = prop::collection::vec(-20i64..21, 1..7);
-    let stencils = prop::collection::vec((stencil, -3i64..1), 1..4);
-    stencils.prop_map(|stencils| {
+    let stencils = prop::collection::vec((stencil, -3i64..1), 1..4).prop_map(|stencils| {
         let values = |values: Vec<i64>| values.into_iter().map(|v| ratio(v, 16)).collect();
         let stencils = stencils.into_iter().map(|(v, lowest)| Stencil::new(lowest, values(v)));
-        step_of(&stencils.collect::<Vec<_>>())
-    })
+        stencils.collect::<Vec<_>>()
+    });
+    let has_terms = |stencils: &Vec<Stencil<Rational>>| {
+        stencils.iter().any(|stencil| stencil.terms().any(|(_, value)| !value.is_zero()))
+    };
+    // Without a term nothing of level n is left, which the language refuses.
+    stencils.prop_filter("has terms", has_terms).prop_map(|stencils| step_of(&stencils))
 }
 
 /// Dense samples of `|g|` and golden sections about the best of them, for both extremes.
