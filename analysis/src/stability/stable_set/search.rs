@@ -24,6 +24,9 @@ const MAX_PIECES: usize = 24;
 /// The last relative width of an enclosure that is tried, as a power of one half.
 const LAST_WIDTH: u32 = 22;
 
+/// The part of a value below which a difference is rounding.
+const ROUNDING: f64 = 1e-13;
+
 /// How many stretches of one kind are followed before the rest is left undecided.
 const MAX_STRETCHES: usize = 64;
 
@@ -281,7 +284,9 @@ impl<'a> Search<'a> {
         let Some(best) = best else { return 0.0 };
         let around = [phases[best.saturating_sub(1)], phases[(best + 1).min(phases.len() - 1)]];
         let (negative, refined) = golden_section(|phase| -at(phase), around, 1e-9 * around[1]);
-        if -negative < values[best] { refined } else { phases[best] }
+        // What is gained by rounding alone, as about φ = 0, is none.
+        let is_better = negative > -values[best] * (1.0 + ROUNDING);
+        if is_better { refined } else { phases[best] }
     }
 }
 
