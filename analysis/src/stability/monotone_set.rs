@@ -89,9 +89,7 @@ impl Step {
                 .first()
                 .filter(|c| c.starts_negative())
                 .map(|c| c.offset.clone()),
-            at_zero: open
-                .iter()
-                .all(|(_, center, radius)| center.coefficient(0) >= radius.coefficient(0)),
+            at_zero: open.iter().all(|one| !one.least().coefficient(0).is_negative()),
             ..StableSet::empty(evidence)
         };
         for whole in &possible {

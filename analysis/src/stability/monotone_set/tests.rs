@@ -207,11 +207,12 @@ proptest! {
 #[test]
 fn roots_of_two_coefficients_are_told_apart_however_near() {
     // √2 and √(2 + 2^−500).
-    let of = |values: Vec<Rational>| Coefficient::new(vec![0], Polynomial::new(values));
+    let of = |values: [BigInt; 4]| Coefficient::new(vec![0], Polynomial::new(values.into()));
     let plan = SearchPlan::default().up_to(integer(10));
-    let [first, second] = [integer(-2), integer(-2) - power_of_two(-500)]
-        .map(|constant| of(vec![constant, integer(0), integer(1)]));
-    let again = of(vec![integer(-6), integer(-2), integer(3), integer(1)]);
+    let unit: BigInt = BigInt::from(1) << 500;
+    let [first, second] = [-2 * &unit, -2 * &unit - 1]
+        .map(|constant| of([constant, 0.into(), unit.clone(), 0.into()]));
+    let again = of([-6, -2, 3, 1].map(BigInt::from));
     let end = |of| Coefficient::roots(of, &plan).pop().map(|root| End { root, of }).unwrap();
     assert_eq!(end(&first).order(&end(&second)), Ordering::Less);
     assert_eq!(end(&second).order(&end(&first)), Ordering::Greater);
