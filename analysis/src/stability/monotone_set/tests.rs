@@ -206,10 +206,10 @@ proptest! {
 
 #[test]
 fn roots_of_two_coefficients_are_told_apart_however_near() {
-    // √2 and √(2 + 2^−500).
+    // √2 and √(2 + 2^−230).
     let of = |values: Vec<Rational>| Coefficient::new(vec![0], Polynomial::new(values));
     let plan = SearchPlan::default().up_to(integer(10));
-    let [first, second] = [integer(-2), integer(-2) - power_of_two(-500)]
+    let [first, second] = [integer(-2), integer(-2) - power_of_two(-230)]
         .map(|constant| of(vec![constant, integer(0), integer(1)]));
     let again = of(vec![integer(-6), integer(-2), integer(3), integer(1)]);
     let end = |of| Coefficient::roots(of, &plan).pop().map(|root| End { root, of }).unwrap();
