@@ -1,14 +1,17 @@
 //! One step of the real scheme on a periodic ring, for linearisation by finite differences.
 
 use super::density::Smoothing;
+use super::dispatch::pair_force;
 use super::domain::Domain;
 use super::gas::IsothermalGas;
 use super::integrator::{Nystrom, Stepper};
-use super::pair_force::PairForce;
+use super::method::MethodOptions;
+use super::pair_loops::PairLoops;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use crate::boundary::Boundary;
 use crate::run::Reason;
+use crate::scene::Material;
 use courant_analysis::kernel::Kernel;
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -41,6 +44,11 @@ impl Ring {
         (0..self.particles).map(|j| j as f64 * self.spacing).collect()
     }
 
+    /// The pair force of a method for its gas.
+    pub fn force(&self, options: &MethodOptions) -> Box<dyn PairLoops<1>> {
+        pair_force(Material::Isothermal(self.gas), options)
+    }
+
     /// Positions and velocities after one step from any state, positions not wrapped.
     ///
     /// # Errors
@@ -48,9 +56,9 @@ impl Ring {
     ///
     /// # Panics
     /// Unless there is one position and one velocity for each particle.
-    pub fn step<F: PairForce>(
+    pub fn step(
         &self,
-        force: &F,
+        force: &dyn PairLoops<1>,
         table: &Nystrom<f64>,
         dt: f64,
         positions: &[f64],
@@ -101,9 +109,9 @@ impl Ring {
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn amplification<F: PairForce>(
+    pub fn amplification(
         &self,
-        force: &F,
+        force: &dyn PairLoops<1>,
         table: &Nystrom<f64>,
         dt: f64,
         mode: usize,

@@ -104,7 +104,7 @@ fn predicted(integrator: &str, f: f64, g: f64, dt: f64) -> Matrix {
     [[first[0], second[0]], [first[1], second[1]]]
 }
 
-fn check<F: PairForce>(force: &F, kernel: Kernel, g: impl Fn(&Lattice, f64) -> f64) {
+fn check(force: &dyn PairLoops<1>, kernel: Kernel, g: impl Fn(&Lattice, f64) -> f64) {
     const N: usize = 24;
     let (spacing, ratio) = (0.05, 1.35);
     let h = ratio * spacing;
