@@ -11,7 +11,7 @@ use courant_analysis::scheme::{Integrator, LatticeMethod, SchemeError};
 use courant_analysis::waves::multipliers::CompiledStep;
 use courant_simulation::particles::{
     ActsOn, Amplification, IsothermalGas, MethodOptions, NotExplicit, Nystrom, PairLoops,
-    ParticleMethod, Ring, SolverChoice, Viscosity, table,
+    ParticleMethod, Ring, SmoothingKernel, SolverChoice, Viscosity, table,
 };
 use courant_simulation::run::Reason;
 use num_complex::Complex64;
@@ -201,12 +201,13 @@ impl ParticleCase {
         if particles < least {
             return Err(ParticleValidationError::ShortRing { particles, least });
         }
-        let gas = IsothermalGas { sound_speed: 1.0 };
+        let (gas, smoothing) = (IsothermalGas { sound_speed: 1.0 }, ratio);
+        let kernel = SmoothingKernel::new(kernel);
         Ok(Prepared {
             predicted: self.method.step(self.integrator)?.compile()?,
             table: table(self.integrator)?,
             step: self.courant * ratio,
-            ring: Ring { particles, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: ratio },
+            ring: Ring { particles, spacing: 1.0, mass: 1.0, gas, kernel, smoothing },
         })
     }
 

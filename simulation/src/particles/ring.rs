@@ -12,7 +12,6 @@ use super::system::{ParticleSystem, Particles};
 use crate::boundary::Boundary;
 use crate::run::Reason;
 use crate::scene::Material;
-use courant_analysis::kernel::Kernel;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -29,7 +28,7 @@ pub struct Ring {
     /// The gas.
     pub gas: IsothermalGas,
     /// The kernel.
-    pub kernel: Kernel,
+    pub kernel: SmoothingKernel<1>,
     /// `h`.
     pub smoothing: f64,
 }
@@ -77,7 +76,7 @@ impl Ring {
             self.gas,
             particles,
             Domain::new([0.0], [length], Boundary::Periodic),
-            SmoothingKernel::new(self.kernel),
+            self.kernel,
             Smoothing::Constant,
             force,
         );
@@ -97,7 +96,8 @@ impl Ring {
     /// use courant_simulation::particles::*;
     /// use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
     /// let gas = IsothermalGas { sound_speed: 1.0 };
-    /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel: Kernel::CubicSpline, smoothing: 1.0 };
+    /// let kernel = SmoothingKernel::new(Kernel::CubicSpline);
+    /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: 1.0 };
     /// let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
     /// let gph1 = Godunov { weight: SumOfSquares, solver };
     /// let euler = Integrator::named("euler").unwrap().nystrom().unwrap();
