@@ -27,7 +27,7 @@ fn markers(points: Vec<(f64, f64)>) -> Series {
     let every = points.len().div_ceil(MOST_MARKERS).max(1);
     Series::markers(points.into_iter().step_by(every), Marker::Circle)
         .color(Color::BLUE)
-        .open()
+        .fill(None)
         .size(1.4)
         .width(0.4)
         .label("particles")

@@ -16,6 +16,7 @@ pub mod field_profile;
 pub mod figure;
 pub mod gas_run;
 pub mod latex;
+pub mod level_set;
 mod markup;
 pub mod npy;
 pub mod number;

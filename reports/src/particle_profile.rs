@@ -82,7 +82,7 @@ impl Quantity {
 /// How particles and cells look in every profile: open blue rings, smaller where there are many.
 pub fn symbols(points: Vec<(f64, f64)>, label: &str) -> Series {
     let size = if points.len() > 150 { 2.3 } else { 3.0 };
-    let rings = Series::markers(points, Marker::Circle).color(Color::BLUE).open();
+    let rings = Series::markers(points, Marker::Circle).color(Color::BLUE).fill(None);
     rings.size(size).width(0.6).label(label)
 }
 

@@ -1,6 +1,7 @@
 //! Maps of the amplification of any scheme over the plane of two of its parameters.
 
-use crate::figure::{Axis, Field, Figure, FigureError, Isolines, Panel};
+use crate::figure::{Axis, Contours, Figure, FigureError, Panel};
+use crate::level_set::Field;
 use crate::npy;
 use crate::stability_map::{damped_side, damping_bar, growing_side, growth_bar};
 use courant_analysis::exact::rational::{Rational, to_f64, to_text};
@@ -100,19 +101,21 @@ impl PlaneMap {
         let (xs, ys) = (floats(&self.x), floats(&self.y));
         let (axes, depth) = ((xs.as_slice(), ys.as_slice()), self.depth());
         let limit = Field::new(xs.clone(), ys.clone(), depth.clone())?;
-        let limit = Isolines::new(limit, [0.0]).values(false).width(1.8);
+        let limit = Contours::new(limit).isolines([0.0]).values(false).width(1.8);
         let panel = Panel::new(
             Axis::linear(self.x.name.as_str()).spanning(&xs),
             Axis::linear(self.y.name.as_str()).spanning(&ys),
         )
-        .layers(growing_side(axes, &self.largest, depth.mapv(|depth| -depth))?)
-        .layers(damped_side(axes, &self.lowest, depth)?)
-        .layer(limit.label(match self.stable.iter().all(|set| set.undecided.is_empty()) {
-            true => "stability limit",
-            false => "end of what is proved stable; not all beyond is decided",
-        }));
+        .contours(growing_side(axes, &self.largest, depth.mapv(|depth| -depth))?)
+        .contours(damped_side(axes, &self.lowest, depth)?)
+        .contours(limit.label(
+            match self.stable.iter().all(|set| set.undecided.is_empty()) {
+                true => "stability limit",
+                false => "end of what is proved stable; not all beyond is decided",
+            },
+        ));
         let figure = Figure::single(panel).title(title).size(5.2, 4.3);
-        Ok(figure.color_bar(damping_bar()?).color_bar(growth_bar()?))
+        Ok(figure.color_bar(damping_bar()).color_bar(growth_bar()))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.

@@ -1,9 +1,10 @@
 //! Maps of the amplification factor over the (smoothing ratio, Courant number) plane.
 
 use crate::figure::{
-    Axis, Bands, Color, ColorBar, ColorMap, Dash, Field, Figure, FigureError, FilledContours,
-    Isolines, Layer, Marker, Panel, Series,
+    Axis, Bands, Color, ColorBar, ColorMap, Contours, Dash, Figure, FigureError, Marker, Panel,
+    Series,
 };
+use crate::level_set::{Field, FieldError};
 use crate::npy;
 use crate::number::{finite, push_shortest};
 use courant_analysis::exact::rational::{Rational, integer, ratio, to_f64, to_text};
@@ -125,7 +126,7 @@ impl StabilityMap {
             Axis::linear("Courant number C").spanning(&courant_numbers),
         )
         .title(title)
-        .layers(damped_side(
+        .contours(damped_side(
             axes,
             &self.gains.lowest_gain,
             unstable.mapv(|beyond| -beyond),
@@ -133,11 +134,11 @@ impl StabilityMap {
         // On C = 0 itself nothing happens.
         if self.differs_from_budget() {
             let slow = Field::new(ratios.clone(), courant_numbers.clone(), unstable)?;
-            let slow = FilledContours::region(slow, 1e-12, SLOW_GROWTH);
-            panel = panel.layer(slow.label("grows, by at most 10⁻³ per step"));
+            let slow = Contours::region(slow, 1e-12, SLOW_GROWTH);
+            panel = panel.contours(slow.label("grows, by at most 10⁻³ per step"));
         }
         let largest = self.gains.growth.mapv(|growth| 1.0 + growth);
-        panel = panel.layers(growing_side(axes, &largest, beyond(&budget))?);
+        panel = panel.contours(growing_side(axes, &largest, beyond(&budget))?);
         let highest = courant_numbers[courant_numbers.len() - 1];
         let lowest = courant_numbers[0];
         let reaches_in = |curve: &[CurvePoint]| {
@@ -225,10 +226,8 @@ impl StabilityMap {
             self.plan.kernel.title(),
             self.evidence.name()
         );
-        Ok(Figure::single(self.panel(&title, &[])?)
-            .size(5.2, 4.3)
-            .color_bar(damping_bar()?)
-            .color_bar(growth_bar()?))
+        let figure = Figure::single(self.panel(&title, &[])?).size(5.2, 4.3);
+        Ok(figure.color_bar(damping_bar()).color_bar(growth_bar()))
     }
 
     /// The grid as comma-separated values, a row for each point.
@@ -330,10 +329,9 @@ pub fn damped_side(
     (x, y): Axes<'_>,
     lowest: &Array2<f64>,
     border: Array2<f64>,
-) -> Result<[Layer; 2], FigureError> {
+) -> Result<Contours, FieldError> {
     let field = Field::new(x.to_vec(), y.to_vec(), lowest.clone())?.within(border)?;
-    let lines = Isolines::new(field.clone(), [0.2, 0.4, 0.6, 0.8]);
-    Ok([FilledContours::new(field, shades_of_damping(5)?).into(), lines.into()])
+    Ok(Contours::new(field).bands(shades_of_damping(5)).isolines([0.2, 0.4, 0.6, 0.8]))
 }
 
 /// The unstable side: bands and isolines of `|g|` of the fastest growing wave, where `border` is at least 0.
@@ -344,47 +342,35 @@ pub fn growing_side(
     (x, y): Axes<'_>,
     largest: &Array2<f64>,
     border: Array2<f64>,
-) -> Result<[Layer; 2], FigureError> {
+) -> Result<Contours, FieldError> {
     let field = Field::new(x.to_vec(), y.to_vec(), largest.clone())?.within(border)?;
-    let lines = Isolines::new(field.clone(), [1.4, 2.0]);
-    Ok([FilledContours::new(field, shades_of_growth()?).into(), lines.into()])
+    Ok(Contours::new(field).bands(shades_of_growth()).isolines([1.4, 2.0]))
 }
 
 /// Bands of equal width from 0 to 1, the darker the less is left of a wave.
-///
-/// # Errors
-/// Never: the edges ascend.
-pub fn shades_of_damping(count: u32) -> Result<Bands, FigureError> {
-    let part = |k: u32| f64::from(k) / f64::from(count);
+pub fn shades_of_damping(count: u32) -> Bands {
+    let edges = (0..=count).map(|k| f64::from(k) / f64::from(count)).collect();
     // The palest band is tinted, so that it differs from paper and from the palest of growth.
-    let colors =
-        (0..count).map(|k| ColorMap::Blues.at(1.0 - 0.88 * f64::from(k) / f64::from(count - 1)));
-    Bands::new((0..=count).map(part).collect(), colors.collect())
+    Bands::new(edges, |t| ColorMap::Blues.at(1.0 - 0.88 * t))
 }
 
 /// Bands of a fifth from 1 to 2; what more than doubles in a step is darkest.
-fn shades_of_growth() -> Result<Bands, FigureError> {
-    let edges: Vec<f64> = (5..=10).map(|fifths| f64::from(fifths) / 5.0).collect();
+fn shades_of_growth() -> Bands {
+    let edges = (5..=10).map(|fifths| f64::from(fifths) / 5.0).collect();
+    let color = |t: f64| ColorMap::Reds.at(0.12 + 0.8 * t);
     // Below 1 is rounding.
-    let colors: Vec<Color> = (0..5).map(|k| ColorMap::Reds.at(0.12 + 0.2 * f64::from(k))).collect();
-    Ok(Bands::new(edges, colors.clone())?.extend_below(colors[0]).extend_above(Color::DARK_RED))
+    Bands::new(edges, color).extend_below(color(0.0)).extend_above(Color::DARK_RED)
 }
 
 /// The colour bar of the stable side.
-///
-/// # Errors
-/// Never: the edges ascend.
-pub fn damping_bar() -> Result<ColorBar, FigureError> {
-    Ok(ColorBar::new(shades_of_damping(5)?, "|g| of the most damped wave"))
+pub fn damping_bar() -> ColorBar {
+    ColorBar::new(shades_of_damping(5), "|g| of the most damped wave")
 }
 
 /// The colour bar of the unstable side.
-///
-/// # Errors
-/// Never: the edges ascend.
-pub fn growth_bar() -> Result<ColorBar, FigureError> {
-    let bands = shades_of_growth()?.needed_for([1.0, 3.0].into_iter());
-    Ok(ColorBar::new(bands, "|g| of the fastest growing wave"))
+pub fn growth_bar() -> ColorBar {
+    let bands = shades_of_growth().needed_for([1.0, 3.0].into_iter());
+    ColorBar::new(bands, "|g| of the fastest growing wave")
 }
 
 /// Which limit a published value claims.

@@ -1,8 +1,7 @@
 //! The map of the largest stable time step of a particle method over the (h, α) plane.
 
-use crate::figure::{
-    Axis, Bands, ColorBar, ColorMap, Field, Figure, FigureError, FilledContours, Isolines, Panel,
-};
+use crate::figure::{Axis, Bands, ColorBar, ColorMap, Contours, Figure, FigureError, Panel};
+use crate::level_set::Field;
 use crate::npy;
 use courant_analysis::exact::rational::{Rational, to_f64};
 use courant_analysis::scheme::{Integrator, LatticeMethod};
@@ -53,33 +52,23 @@ impl StepMap {
     pub fn panel(&self, title: &str) -> Result<Panel, FigureError> {
         let field = Field::new(self.ratios.clone(), self.alphas.clone(), self.steps.clone())?;
         let levels = [0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6];
-        Ok(Panel::new(
-            Axis::linear("smoothing ratio h/Δ").spanning(&self.ratios),
-            Axis::linear("viscosity α").spanning(&self.alphas),
-        )
-        .title(title)
-        .layer(FilledContours::new(field.clone(), Self::bands()?))
-        .layer(Isolines::new(field, levels).width(0.6)))
+        let x = Axis::linear("smoothing ratio h/Δ").spanning(&self.ratios);
+        let y = Axis::linear("viscosity α").spanning(&self.alphas);
+        let contours = Contours::new(field).bands(Self::bands()).isolines(levels);
+        Ok(Panel::new(x, y).title(title).contours(contours))
     }
 
     /// The bands of the colour bar.
-    ///
-    /// # Errors
-    /// Never: the edges ascend.
-    pub fn bands() -> Result<Bands, FigureError> {
+    pub fn bands() -> Bands {
         let edges = (0..=HIGHEST_TENTHS).map(|tenths| f64::from(tenths) / 10.0).collect();
-        Bands::sequential(edges, ColorMap::Viridis)
-            .map(|bands| bands.extend_above(ColorMap::Viridis.at(1.0)))
+        let color = |t| ColorMap::Viridis.at(t);
+        Bands::new(edges, color).extend_above(color(1.0))
     }
 
     /// The colour bar of all these maps: with a pointed end only when one of them needs it.
-    ///
-    /// # Errors
-    /// Never: the edges ascend.
-    pub fn color_bar(maps: &[Self]) -> Result<ColorBar, FigureError> {
-        let bands =
-            Self::bands()?.needed_for(maps.iter().flat_map(|map| map.steps.iter().copied()));
-        Ok(ColorBar::new(bands, "largest stable c Δt/h"))
+    pub fn color_bar(maps: &[Self]) -> ColorBar {
+        let steps = maps.iter().flat_map(|map| map.steps.iter().copied());
+        ColorBar::new(Self::bands().needed_for(steps), "largest stable c Δt/h")
     }
 
     /// The figure with one panel.
@@ -87,9 +76,8 @@ impl StepMap {
     /// # Errors
     /// When the axes have too few points to draw.
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
-        Ok(Figure::single(self.panel(title)?)
-            .size(5.2, 4.0)
-            .color_bar(Self::color_bar(std::slice::from_ref(self))?))
+        let bar = Self::color_bar(std::slice::from_ref(self));
+        Ok(Figure::single(self.panel(title)?).size(5.2, 4.0).color_bar(bar))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.

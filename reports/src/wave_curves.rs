@@ -1,7 +1,7 @@
 //! What schemes do to waves as one figure: gain, phase error, group speed, multipliers in the complex plane; with the direction in two
 //! dimensions.
 
-use crate::figure::{Axis, Color, Dash, Figure, Note, Panel, Series};
+use crate::figure::{Axis, Color, Dash, Figure, Panel, Series};
 use crate::wave_map::wave_number_axis;
 use courant_analysis::waves::branches::{Branch, BranchWave};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -158,7 +158,7 @@ fn relative(
     let phases = phase_axis(curves);
     if values.is_empty() {
         let axis = Axis::linear(label).range(right - 1.0, right + 1.0);
-        return Panel::new(phases.range(0.0, PI), axis).layer(Note::new(FRAC_PI_2, right, NO_WAVE));
+        return Panel::new(phases.range(0.0, PI), axis).note(FRAC_PI_2, right, NO_WAVE);
     }
     let axis = bounded(label, values.into_iter(), right, FARTHEST);
     let lines = curves.iter().flat_map(|curve| curve.lines(of, spurious));
@@ -225,8 +225,7 @@ fn against_direction(
         if let Some((angle, wave)) = curve.waves.get(curve.waves.len() / 8)
             && let Some(value) = of(wave)
         {
-            let text = format!("{} cells", curve.wavelength);
-            panel = panel.layer(Note::new(*angle, value, text));
+            panel = panel.note(*angle, value, format!("{} cells", curve.wavelength));
         }
     }
     panel

@@ -1,8 +1,7 @@
 //! Maps of sound waves in particle methods: phase error over the (κ, h) plane, amplitude over (κ, α).
 
-use crate::figure::{
-    Axis, Bands, Color, ColorBar, Field, Figure, FigureError, FilledContours, Isolines, Panel,
-};
+use crate::figure::{Axis, Bands, Color, ColorBar, ColorMap, Contours, Figure, FigureError, Panel};
+use crate::level_set::Field;
 use crate::npy;
 use crate::stability_map::shades_of_damping;
 use courant_analysis::exact::rational::{Rational, to_f64};
@@ -146,37 +145,37 @@ impl WaveMap {
         // A single wave is rounding at the end of the lattice's stability.
         if damping.iter().filter(|ratio| ratio.is_nan()).count() > 1 {
             let everywhere = field(damping.mapv(|_| 0.0))?;
-            let grows = FilledContours::region(everywhere, 0.0, Color::DARK_RED);
-            panel = panel.layer(grows.label("lattice unstable: the wave grows"));
+            let grows = Contours::region(everywhere, 0.0, Color::DARK_RED);
+            panel = panel.contours(grows.label("lattice unstable: the wave grows"));
         }
-        let border = Isolines::new(field(travels.clone())?, [0.0]).values(false).width(1.4);
+        let border = Contours::new(field(travels.clone())?).isolines([0.0]);
+        let border = border.values(false).width(1.4);
         let levels: &[f64] = match self.shown {
             Shown::PhaseError => &[-0.6, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2],
             Shown::Amplitude => &[0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9],
         };
+        let contours = |field| {
+            let lines = levels.iter().copied();
+            Contours::new(field).bands(self.bands()).isolines(lines).width(0.5)
+        };
         // The two sides of the border each by themselves: there the amplitude has a cusp.
         let travelling = values.clone().within(travels)?;
-        panel = panel
-            .layer(FilledContours::new(travelling.clone(), self.bands()?))
-            .layer(Isolines::new(travelling.clone(), levels.to_vec()).width(0.5));
+        panel = panel.contours(contours(travelling.clone()));
         let leads = self.values.iter().any(|error| *error > 0.0);
         if self.shown == Shown::PhaseError && leads {
-            panel = panel.layer(Isolines::new(travelling, [0.0]).width(1.2).label("exact speed"));
+            let exact = Contours::new(travelling).isolines([0.0]).width(1.2);
+            panel = panel.contours(exact.label("exact speed"));
         }
         Ok(match (self.has_over_damped(), self.shown) {
             (false, _) => panel,
             (true, Shown::PhaseError) => {
-                let still = FilledContours::region(field(still)?, 0.0, OVER_DAMPED);
+                let still = Contours::region(field(still)?, 0.0, OVER_DAMPED);
                 let still = still.label("over-damped: both waves decay, none travels");
-                panel.layer(still).layer(border)
+                panel.contours(still).contours(border)
             }
-            (true, Shown::Amplitude) => {
-                let still = values.within(still)?;
-                panel
-                    .layer(FilledContours::new(still.clone(), self.bands()?))
-                    .layer(Isolines::new(still, levels.to_vec()).width(0.5))
-                    .layer(border.label("beyond: over-damped, no wave travels"))
-            }
+            (true, Shown::Amplitude) => panel
+                .contours(contours(values.within(still)?))
+                .contours(border.label("beyond: over-damped, no wave travels")),
         })
     }
 
@@ -193,33 +192,27 @@ impl WaveMap {
     }
 
     /// The bands of the colour bar.
-    ///
-    /// # Errors
-    /// Never: the edges ascend.
-    pub fn bands(&self) -> Result<Bands, FigureError> {
+    pub fn bands(&self) -> Bands {
         match self.shown {
             Shown::PhaseError => {
                 let half = [0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.6];
                 let edges = half.iter().rev().map(|edge| -edge).chain(half).collect();
-                let bands = Bands::about_zero(edges)?.extend_below(Color(8, 38, 76));
-                Ok(bands.extend_above(Color::DARK_RED))
+                let bands = Bands::new(edges, |t| ColorMap::BluesReds.at(t));
+                bands.extend_below(Color(8, 38, 76)).extend_above(Color::DARK_RED)
             }
-            Shown::Amplitude => Ok(shades_of_damping(10)?.extend_above(Color::DARK_RED)),
+            Shown::Amplitude => shades_of_damping(10).extend_above(Color::DARK_RED),
         }
     }
 
     /// The colour bar of this map and of others that show the same: with a pointed end only when one of them needs it.
-    ///
-    /// # Errors
-    /// Never: the edges ascend.
-    pub fn color_bar(&self, others: &[&Self]) -> Result<ColorBar, FigureError> {
+    pub fn color_bar(&self, others: &[&Self]) -> ColorBar {
         let label = match self.shown {
             Shown::PhaseError => "phase error Re ω/(cκ) − 1 (lead +, lag −)",
             Shown::Amplitude => "amplitude at t = Δ/c",
         };
         let maps = std::iter::once(self).chain(others.iter().copied());
-        let bands = self.bands()?.needed_for(maps.flat_map(|map| map.values.iter().copied()));
-        Ok(ColorBar::new(bands, label))
+        let values = maps.flat_map(|map| map.values.iter().copied());
+        ColorBar::new(self.bands().needed_for(values), label)
     }
 
     /// The figure with one panel.
@@ -227,7 +220,7 @@ impl WaveMap {
     /// # Errors
     /// When the axes have too few points to draw.
     pub fn figure(&self, title: &str) -> Result<Figure, FigureError> {
-        Ok(Figure::single(self.panel(title)?).size(5.4, 4.2).color_bar(self.color_bar(&[])?))
+        Ok(Figure::single(self.panel(title)?).size(5.4, 4.2).color_bar(self.color_bar(&[])))
     }
 
     /// Every data file of the map: names that begin with `stem`, and contents.

@@ -201,6 +201,19 @@ mod tests {
     }
 
     #[test]
+    fn newton_may_leave_the_interval_and_lines_may_be_long() {
+        // (5x − 24)(x − 5)(x − 11): from the middle Newton's method goes to the left of it.
+        let product = polynomial(&[-24, 5]) * polynomial(&[55, -16, 1]);
+        let root = AlgebraicNumber::between(product, ratio(501, 100), ratio(1101, 100)).unwrap();
+        assert_eq!(root.power_as_fraction(), Some(integer(11)));
+        let (above, below) = (BigInt::from(3).pow(400), BigInt::from(2).pow(633));
+        let value = Rational::new(above.clone(), below.clone());
+        let line = Polynomial::new(vec![-above, below]);
+        let root = AlgebraicNumber::between(line, integer(0), integer(5)).unwrap();
+        assert_eq!(root.power_as_fraction(), Some(value));
+    }
+
+    #[test]
     fn radicands_have_up_to_64_bits() {
         // The greatest prime below 2^64 and the least one above.
         for (offset, known) in [(-59i64, true), (13, false)] {

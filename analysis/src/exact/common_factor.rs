@@ -39,8 +39,8 @@ pub fn common_square_root(polynomials: &[Polynomial<Rational>]) -> Polynomial<Ra
 /// Whether cosine series, as polynomials in `cos φ`, certainly have no factor in common: they then have none modulo a prime that
 /// does not divide the leading coefficient of the first.
 pub(crate) fn have_no_common_factor(series: &[CosineSeries<BigInt>]) -> bool {
-    // A constant is divided by no wave.
-    if series.iter().any(|one| one.coefficients().len() == 1 && !one.coefficients()[0].is_zero()) {
+    // A constant that is not zero is divided by no wave.
+    if series.iter().any(|one| one.coefficients().len() == 1) {
         return true;
     }
     let field = PrimeField::largest();
@@ -102,7 +102,7 @@ pub(crate) fn square_free_factors(
     polynomial: Polynomial<Rational>,
 ) -> Option<Vec<Polynomial<Rational>>> {
     let mut factors = Vec::new();
-    if polynomial.degree() < Some(1) {
+    if polynomial.is_zero() {
         return Some(factors);
     }
     let derivative = polynomial.derivative();
@@ -273,8 +273,9 @@ mod tests {
         // x (x + 1) and x (x + 1 + p): modulo p the same.
         for place in 0..3 {
             let other = line(prime(place) + 1);
-            let found = common(&[line(0.into()), line(1.into())], &[line(0.into()), other]);
-            assert_eq!(found, product(&[line(0.into())]));
+            let (left, right) = ([line(0.into()), line(1.into())], [line(0.into()), other]);
+            assert_eq!(common(&left, &right), product(&[line(0.into())]));
+            assert_eq!(common(&right, &left), product(&[line(0.into())]));
         }
         // The same with a common root that takes several primes, of which the first or a later one is unlucky.
         let long = || line(BigInt::from(3).pow(100));
@@ -288,6 +289,15 @@ mod tests {
             let found = common(&[steep(), line(1.into())], &[steep(), line(2.into())]);
             assert_eq!(found, monic(&product(&[steep()])));
         }
+    }
+
+    #[test]
+    fn constants_have_no_square() {
+        let one = Polynomial::one();
+        let constants = [Vec::new(), vec![Polynomial::zero()], vec![polynomial(vec![4])]];
+        assert_eq!(constants.map(|all| common_square_root(&all)), [(); 3].map(|()| one.clone()));
+        let factors = [Polynomial::zero(), polynomial(vec![4])].map(square_free_factors);
+        assert_eq!(factors, [Some(Vec::new()), Some(Vec::new())]);
     }
 
     #[test]

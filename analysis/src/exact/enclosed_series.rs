@@ -236,6 +236,22 @@ mod tests {
         EnclosedSeries::new(&values.iter().map(|&v| ratio(v, 7)).collect::<Vec<_>>(), radius)
     }
 
+    #[test]
+    fn one_factor_that_is_not_exact_makes_the_product_so() {
+        let (exact, near) = (enclosed(&[14, -7], ratio(0, 1)), enclosed(&[7], ratio(1, 9)));
+        for product in [exact.times(&near), near.times(&exact)] {
+            assert!(*product.radius() == ratio(1, 3) && !product.is_exact() && !product.is_zero());
+        }
+        let zero = |radius| enclosed(&[0, 0], radius);
+        assert!(zero(ratio(0, 1)).is_zero() && !zero(ratio(1, 9)).is_zero() && !exact.is_zero());
+        // Sums of products of 62 bits take more than 127.
+        let long =
+            EnclosedSeries::over(vec![BigInt::from(1) << 62; 16], BigInt::one(), ratio(0, 1));
+        let whole = long.center_at_zero();
+        assert_eq!(long.times(&long).center_at_zero(), &whole * &whole);
+        assert_eq!(long.squared().center_at_zero(), &whole * &whole);
+    }
+
     proptest! {
         #[test]
         fn sums_and_products_are_those_of_the_functions(

@@ -324,6 +324,19 @@ mod tests {
         }
     }
 
+    #[test]
+    fn the_longer_of_two_sets_the_precision() {
+        let (third, seventh) =
+            (Float::fraction(&ratio(1, 3), 60), Float::fraction(&ratio(1, 7), BITS));
+        let found = [&third + &seventh, &seventh * &third, &third / &seventh];
+        for (found, expected) in found.iter().zip([ratio(10, 21), ratio(1, 21), ratio(7, 3)]) {
+            let error = found - &Float::fraction(&expected, BITS);
+            assert!(found.bits == BITS && error.magnitude().unwrap() < -55);
+        }
+        let z = ComplexFloat { re: third, im: seventh };
+        assert!((&z + &-&z).is_zero() && (-&z).im.is_negative() && (-&z).re.is_negative());
+    }
+
     proptest! {
         #[test]
         fn operations_are_those_of_fractions(

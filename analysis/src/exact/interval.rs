@@ -95,8 +95,8 @@ impl Interval {
         }
         let root = |value: f64, up: bool| {
             let root = value.sqrt();
-            if !root.is_finite() || value < SMALL {
-                let moved = if up { root.next_up() } else { root.next_down().max(0.0) };
+            if value < SMALL {
+                let moved = if up { root.next_up() } else { root.next_down() };
                 return if value == 0.0 { 0.0 } else { moved };
             }
             // root² − value, exactly: the product of two floats minus the nearest float.
@@ -121,9 +121,6 @@ impl Interval {
             let (lower, upper) =
                 (signed_power(self.lower, exponent), signed_power(self.upper, exponent));
             return Some(Self { lower: lower.lower, upper: upper.upper });
-        }
-        if exponent == 0 {
-            return Some(Self::point(1.0));
         }
         let (near, far) = self.moduli();
         Some(Self {
@@ -203,12 +200,8 @@ fn hull(ends: &[(f64, f64)]) -> Interval {
     Interval { lower, upper }
 }
 
-/// The neighbours a rounded result lies between, given the sign of `true − rounded`.
+/// The neighbours a rounded result lies between, given the sign of `true − rounded`; beyond the largest float lies infinity.
 fn outwards(rounded: f64, error: f64) -> (f64, f64) {
-    if rounded.is_infinite() {
-        // An overflow: the true number is beyond the largest float, or an operand was infinite.
-        return if rounded > 0.0 { (f64::MAX, rounded) } else { (rounded, f64::MIN) };
-    }
     if error > 0.0 {
         (rounded, rounded.next_up())
     } else if error < 0.0 {
@@ -218,19 +211,15 @@ fn outwards(rounded: f64, error: f64) -> (f64, f64) {
     }
 }
 
-/// Knuth's two-sum: exact unless it overflows.
+/// Knuth's two-sum: exact unless it or a part of it overflows.
 fn add(a: f64, b: f64) -> (f64, f64) {
-    if a.is_infinite() || b.is_infinite() {
-        let sum = a + b;
-        return if sum.is_nan() { (f64::NEG_INFINITY, f64::INFINITY) } else { (sum, sum) };
-    }
     let sum = a + b;
+    if sum.is_nan() {
+        return (f64::NEG_INFINITY, f64::INFINITY);
+    }
     let part = sum - a;
     let error = (a - (sum - part)) + (b - part);
-    if sum.is_finite() && !error.is_finite() {
-        return (sum.next_down(), sum.next_up());
-    }
-    outwards(sum, error)
+    if error.is_finite() { outwards(sum, error) } else { (sum.next_down(), sum.next_up()) }
 }
 
 fn multiply(a: f64, b: f64) -> (f64, f64) {
@@ -239,9 +228,6 @@ fn multiply(a: f64, b: f64) -> (f64, f64) {
         return (0.0, 0.0);
     }
     let product = a * b;
-    if a.is_infinite() || b.is_infinite() {
-        return (product, product);
-    }
     if product.abs() < SMALL {
         return (product.next_down(), product.next_up());
     }
@@ -252,24 +238,13 @@ fn divide(a: f64, b: f64) -> (f64, f64) {
     if a == 0.0 {
         return (0.0, 0.0);
     }
-    let quotient = a / b;
     if b.is_infinite() {
-        return if quotient.is_nan() {
-            (f64::NEG_INFINITY, f64::INFINITY)
-        } else {
-            // a/b for every finite b at least this large: between 0 and the least float.
-            (-f64::from_bits(1), f64::from_bits(1))
-        };
+        // a/b for every finite b at least this large is between 0 and the least float, or at another end if a is infinite too.
+        return (-f64::from_bits(1), f64::from_bits(1));
     }
-    if a.is_infinite() {
-        return (quotient, quotient);
-    }
+    let quotient = a / b;
     if quotient.abs() < SMALL || a.abs() < SMALL || quotient.is_infinite() {
-        return if quotient.is_infinite() {
-            outwards(quotient, 0.0)
-        } else {
-            (quotient.next_down(), quotient.next_up())
-        };
+        return (quotient.next_down(), quotient.next_up());
     }
     // true − quotient = (a − quotient·b)/b.
     let rest = (-quotient).mul_add(b, a);
@@ -278,20 +253,14 @@ fn divide(a: f64, b: f64) -> (f64, f64) {
 
 /// `xⁿ` for one float by repeated squaring in interval arithmetic.
 fn signed_power(value: f64, exponent: i32) -> Interval {
-    if value.is_infinite() {
-        let power = if exponent % 2 == 1 { value } else { f64::INFINITY };
-        return Interval { lower: power, upper: power };
-    }
-    let (mut base, mut left) = (Interval::point(value), exponent);
+    let (mut base, mut left) = (Interval { lower: value, upper: value }, exponent);
     let mut power = Interval::point(1.0);
     while left > 0 {
         if left % 2 == 1 {
             power = power * base;
         }
         left /= 2;
-        if left > 0 {
-            base = base * base;
-        }
+        base = base * base;
     }
     power
 }

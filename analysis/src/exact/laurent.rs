@@ -303,8 +303,9 @@ impl Laurent {
         self.terms.is_empty()
     }
 
-    fn merged(self, other: Self, sign: i8) -> Self {
-        let signed = |value: BigInt| if sign < 0 { -value } else { value };
+    /// The sum, or the difference.
+    fn merged(self, other: Self, subtracted: bool) -> Self {
+        let signed = |value: BigInt| if subtracted { -value } else { value };
         let mut left = self.terms.into_iter().peekable();
         let mut right = other.terms.into_iter().peekable();
         let mut terms = Vec::with_capacity(left.len() + right.len());
@@ -337,14 +338,14 @@ impl Laurent {
 impl Add for Laurent {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        self.merged(other, 1)
+        self.merged(other, false)
     }
 }
 
 impl Sub for Laurent {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self.merged(other, -1)
+        self.merged(other, true)
     }
 }
 

@@ -217,6 +217,14 @@ mod tests {
         assert_eq!(found, [1, 31, 45, 229, 259]);
     }
 
+    #[test]
+    fn residues_of_either_half_are_the_nearest_to_zero() {
+        let field = PrimeField::largest();
+        let half = BigInt::from(field.prime() / 2);
+        let images = [half.clone(), &half + 1].map(|value| field.embed(&value));
+        assert_eq!(Reconstruction::new(&field, &images).integers(), [half.clone(), -half]);
+    }
+
     proptest! {
         #[test]
         fn arithmetic_agrees_with_remainders(a in any::<i64>(), b in any::<i64>(), skip in 0usize..4) {

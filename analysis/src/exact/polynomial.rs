@@ -1,6 +1,5 @@
 //! Dense univariate polynomials over any commutative ring.
 
-use num_integer::Integer;
 use num_traits::{One, Zero};
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -142,10 +141,8 @@ impl Polynomial<num_bigint::BigInt> {
         let mut rest = self.coefficients.clone();
         let mut quotient = vec![Zero::zero(); (rest.len() + 1).saturating_sub(degree + 1)];
         for shift in (0..quotient.len()).rev() {
-            let (factor, remainder) = rest[shift + degree].div_rem(leading);
-            if !remainder.is_zero() {
-                return None;
-            }
+            // What this leaves over stays there to the end.
+            let factor = &rest[shift + degree] / leading;
             for (target, value) in rest[shift..].iter_mut().zip(&divisor.coefficients) {
                 *target -= &factor * value;
             }

@@ -375,7 +375,7 @@ pub fn decimal_below(value: &Rational, digits: usize) -> String {
     let guess = (bits as f64 * std::f64::consts::LOG10_2).floor() as i64;
     let (exponent, all) = (guess - 1..=guess + 1)
         .map(|exponent| (exponent, cut(exponent).to_string()))
-        .find(|(_, all)| all.len() == digits && all != "0")
+        .find(|(_, all)| all.len() == digits)
         .expect("one of three powers of ten is right");
     if !(-4..digits as i64 + 3).contains(&exponent) {
         let (first, rest) = all.split_at(1);

@@ -211,6 +211,14 @@ mod tests {
         f.at(Variable::name(0), &ratio(7, 3))?.at(Variable::name(1), &ratio(-5, 11))?.as_number()
     }
 
+    #[test]
+    fn a_pole_has_no_value() {
+        let line = RationalFunction::from(Laurent::variable(Variable::TIME) - Laurent::integer(2));
+        let inverse = RationalFunction::from(Laurent::integer(1)).over(&line).unwrap();
+        let at = |value: i64| inverse.at(Variable::TIME, &ratio(value, 1));
+        assert_eq!((at(2), at(3)), (None, Some(RationalFunction::from(Laurent::integer(1)))));
+    }
+
     proptest! {
         #[test]
         fn arithmetic_is_that_of_values(f in function(), g in function()) {

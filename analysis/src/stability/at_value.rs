@@ -45,8 +45,8 @@ impl DemandsAt {
             Demands::Unknown => Self::Unknown,
             Demands::OnTorus(demands) => Self::OnTorus(demands.inequalities.clone()),
             Demands::All(all) => {
-                let margins = all.iter().map(|one| &one.margin).filter(|m| !m.is_neutral());
-                Self::All(margins.filter_map(|m| DemandAt::new(m, &Rational::one())).collect())
+                let at = |one: &Inequality| DemandAt::new(&one.margin, &Rational::one());
+                Self::All(all.iter().filter_map(at).collect())
             }
         }
     }

@@ -133,17 +133,9 @@ impl Conditions {
         let whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
         let mirrored = Laurent::from_coefficients(&reversed, Variable::TIME);
         let common = greatest_common_divisor(&whole, &mirrored);
-        if common.contains(Variable::TIME) {
-            let content = common.content(Variable::TIME);
-            let common = common.divide_exactly(&content).expect("a content divides");
-            if let Some(rest) = whole.divide_exactly(&common) {
-                let part = |polynomial: &Laurent| polynomial.coefficients(Variable::TIME);
-                self.add_on_circle(part(&common), names, interest);
-                self.add_inside(part(&rest.primitive()), on_circle, interest);
-                return;
-            }
-        }
-        self.add_inside(coefficients, on_circle, interest);
+        let rest = whole.divide_exactly(&common).expect("a divisor divides").primitive();
+        self.add_on_circle(common.coefficients(Variable::TIME), names, interest);
+        self.add_inside(rest.coefficients(Variable::TIME), on_circle, interest);
     }
 
     /// Cohn: all roots of a self-inversive polynomial lie on the circle if and only if those of its derivative lie in the disc.
@@ -151,12 +143,8 @@ impl Conditions {
         let mut whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
         let derivative = whole.derivative(Variable::TIME);
         let repeated = greatest_common_divisor(&whole, &derivative);
-        if repeated.contains(Variable::TIME)
-            && let Some(simple) = whole.divide_exactly(&repeated)
-        {
-            whole = simple;
-        }
-        if whole.degree(Variable::TIME) > 1 {
+        whole = whole.divide_exactly(&repeated).expect("a divisor divides");
+        if whole.degree(Variable::TIME) > 0 {
             let derivative = whole.derivative(Variable::TIME).coefficients(Variable::TIME);
             self.add(derivative, true, names, interest);
         }
@@ -229,8 +217,8 @@ fn jury(a: &[Laurent], interest: &Interest) -> Option<Vec<(Condition, Laurent)>>
     let plus = signed(at(1), true);
     let minus = signed(at(-1) * Laurent::integer(if degree % 2 == 1 { -1 } else { 1 }), true);
     if degree == 1 && constant.is_none() {
-        // One product is shorter than two.
-        return Some(vec![(Condition::Minor(1), leading * leading - &a[0] * &a[0])]);
+        // The product of the two is shorter: the only minor.
+        return None;
     }
     let mut conditions = vec![(Condition::PlusOne, plus), (Condition::MinusOne, minus)];
     if degree == 2 {

@@ -56,7 +56,6 @@ impl CriticalPolynomials {
                 factors.push(factor);
             }
         }
-        factors.retain(|factor| factor.degree() > Some(0));
         let product = factors.iter().cloned().fold(Polynomial::one(), std::ops::Mul::mul);
         Some(Self { factors, product })
     }

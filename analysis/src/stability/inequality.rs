@@ -45,24 +45,22 @@ impl Inequality {
     pub fn new(requirement: &Requirement, names: &Names, parameter: Option<Variable>) -> Self {
         let mut polynomial = requirement.polynomial.clone();
         let mut whatever_the_step = false;
-        if let Some(variable) = parameter {
-            let common = symmetric(polynomial.content(variable));
-            if let Some(common) = common.filter(|p| p.as_constant().is_none())
-                && let Some(rest) = polynomial.divide_exactly(&common)
-            {
-                let margin = |factor: &Laurent| margin_of(factor, names, None, &Rational::one());
-                let factor = margin(&common);
-                // What vanishes for these values of the letters stays: it says nothing.
-                if !factor.is_neutral() {
-                    let plus = is_nowhere_negative(&factor);
-                    if plus == Some(true) {
-                        polynomial = rest;
-                    } else {
-                        match is_nowhere_negative(&margin(&-common)) {
-                            Some(true) => polynomial = -rest,
-                            minus => {
-                                whatever_the_step = plus == Some(false) && minus == Some(false);
-                            }
+        if let Some(variable) = parameter
+            && let Some(common) = symmetric(polynomial.content(variable))
+            && let Some(rest) = polynomial.divide_exactly(&common)
+        {
+            let margin = |factor: &Laurent| margin_of(factor, names, None, &Rational::one());
+            let factor = margin(&common);
+            // What vanishes for these values of the letters stays: it says nothing.
+            if !factor.is_neutral() {
+                let plus = is_nowhere_negative(&factor);
+                if plus == Some(true) {
+                    polynomial = rest;
+                } else {
+                    match is_nowhere_negative(&margin(&-common)) {
+                        Some(true) => polynomial = -rest,
+                        minus => {
+                            whatever_the_step = plus == Some(false) && minus == Some(false);
                         }
                     }
                 }
@@ -96,10 +94,8 @@ fn is_nowhere_negative(margin: &Margin) -> Option<bool> {
 pub(crate) fn symmetric(polynomial: Laurent) -> Option<Laurent> {
     let mut centred = polynomial;
     for axis in 0..3 {
+        // Odd when added, no shift makes it real.
         let (low, high) = centred.range(Variable::axis(axis))?;
-        if (low + high) % 2 != 0 {
-            return None;
-        }
         centred = centred.shifted(Variable::axis(axis), -(low + high) / 2);
     }
     centred.is_real().then_some(centred)
@@ -280,6 +276,7 @@ fn divided(
 mod tests {
     use super::*;
     use crate::exact::rational::ratio;
+    use crate::exact::real_roots::power_of_two;
     use crate::scheme::LetterKind;
     use crate::stability::{PointVerdict, decide_at};
 
@@ -303,6 +300,7 @@ mod tests {
         let one = || Laurent::integer(1);
         let cosine =
             Laurent::power_of(Variable::axis(0), 1) + Laurent::power_of(Variable::axis(0), -1);
+        let open = about_one.scaled(&100.into()) - Laurent::integer(101);
         // What a factor leaves of 1 − C at 1/2 and 2, and whether no step helps.
         for (factor, expected, whatever_the_step) in [
             (two.clone(), "+-", false),
@@ -310,9 +308,14 @@ mod tests {
             (minus_s, "-+", false),
             (about_one.clone(), "+-", false),
             // Its sign is not known: no more is said.
-            (about_one.scaled(&100.into()) - Laurent::integer(101), "??", false),
+            (open.clone(), "??", false),
             (zero, "++", false),
-            (cosine, "--", true),
+            (cosine.clone(), "--", true),
+            // Certain somewhere, and open elsewhere: 4 s and what may have either sign.
+            (one() + Laurent::integer(1) - cosine.clone() + open.clone(), "?-", false),
+            (cosine.clone() - Laurent::integer(2) - open, "-?", false),
+            (cosine.clone() + Laurent::integer(3), "+-", false),
+            (cosine.clone() - Laurent::integer(3), "-+", false),
         ] {
             let requirement = Requirement {
                 condition: Condition::PlusOne,
@@ -329,7 +332,47 @@ mod tests {
                 });
             assert_eq!(String::from_iter(signs), expected, "{factor:?}");
             assert_eq!(found.whatever_the_step, whatever_the_step, "{factor:?}");
+            // What has a sign is taken out.
+            let stays = expected.contains('?') || whatever_the_step;
+            assert_eq!(
+                found.margin.degree(),
+                usize::from(stays && factor.contains(Variable::axis(0)))
+            );
+            assert!(!found.thinned);
+            let square = Laurent::variable(parameter) - one();
+            assert!(
+                Inequality::new(&Requirement { square, ..requirement }, &names, Some(parameter))
+                    .thinned
+            );
         }
+    }
+
+    #[test]
+    fn long_products_of_letters_are_cut_and_short_ones_are_not() {
+        let mut names = Names::default();
+        let value = Rational::new(BigInt::from(1) << 310, BigInt::from(3).pow(195));
+        let long = EnclosedSeries::new(std::slice::from_ref(&value), power_of_two(-300));
+        let name = |number: usize| format!("x{number}");
+        let letter = names.insert_letter(LetterKind::Constant, long, None, name).unwrap();
+        let power = |exponent| Laurent::power_of(letter, exponent);
+        let (fine, coarse) = (power_of_two(-250), power_of_two(-150));
+        for exponent in 1..5 {
+            let margin = margin_of(&power(exponent), &names, None, &Rational::one());
+            let radius =
+                Rational::new(margin.integer_radius()[0].clone(), margin.denominator().clone());
+            assert_eq!(radius < fine, exponent <= SHORT_PRODUCT, "{exponent}");
+            let found = margin.coefficient(0).at_zero();
+            assert!(radius < coarse && (found - value.pow(i32::from(exponent))).abs() < coarse);
+            assert!(*even_series(&power(exponent), &names).unwrap().0.radius() < fine);
+        }
+        // 4 s, as it is and with something permitted more.
+        let cosine =
+            Laurent::power_of(Variable::axis(0), 1) + Laurent::power_of(Variable::axis(0), -1);
+        let series = series_of(&(Laurent::integer(2) - cosine), &names, None, &Rational::one());
+        assert_eq!(
+            [integer(0), integer(1)].map(|growth| series.growing(&growth).phase_power()),
+            [1, 0]
+        );
     }
 
     #[test]

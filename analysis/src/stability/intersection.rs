@@ -171,9 +171,6 @@ fn order(known: &Limit, other: &Limit) -> Order {
 
 /// A short fraction a little above a limit: conditions that touch zero beyond it are not asked about.
 fn window_end(limit: &Limit, max: &Rational) -> Rational {
-    if limit.upper().is_infinite() {
-        return max.clone();
-    }
     let value = limit.upper();
     match (from_f64(value * (1.0 + 1e-8)), from_f64(value * (1.0 + 2e-8))) {
         (Some(lower), Some(upper)) if lower < *max && lower.is_positive() => {

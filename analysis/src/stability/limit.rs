@@ -310,9 +310,6 @@ impl Limit {
     /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
     /// ```
     pub fn decimal(&self, digits: usize) -> Option<String> {
-        if self.upper.is_infinite() {
-            return None;
-        }
         let bits = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + 8;
         let known = || Some((self.certain_lower()?, self.certain_upper()?));
         let (lower, upper) = self.enclosure(bits).or_else(known)?;

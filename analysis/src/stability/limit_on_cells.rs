@@ -118,7 +118,8 @@ fn on_cells(margin: &Margin) -> Onset {
         let Some(mu) = points.filter_map(slope).max() else { break };
         let on_edge = |power: usize| -> Option<(usize, f64)> {
             let k = integer(i as i64) - &mu * integer((power - j) as i64);
-            let k = k.is_integer().then(|| usize::try_from(k.to_integer()).ok())??;
+            // Between two powers of s: below the edge there is nothing.
+            let k = usize::try_from(k.floor().to_integer()).ok()?;
             Some((k, rows[power].get(k).map_or(0.0, to_f64)))
         };
         let edge: Vec<f64> =

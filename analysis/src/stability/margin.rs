@@ -61,7 +61,7 @@ impl Margin {
             power.numerators().iter().map(|value| value * &factor).collect()
         };
         let mut numerators: Vec<Vec<BigInt>> = powers.iter().map(over).collect();
-        let values = numerators.iter().flatten().filter(|value| !value.is_zero());
+        let values = numerators.iter().flatten();
         // A remainder costs less than a common divisor, and tells that nothing is left to divide out.
         let content = values.fold(common.clone(), |all, value| {
             if all.is_one() || value.is_multiple_of(&all) {
@@ -106,12 +106,7 @@ impl Margin {
         let unit = Rational::from(denominator.clone());
         Self {
             series,
-            radius: radius
-                .map(|value| match value.is_zero() {
-                    true => BigInt::zero(),
-                    false => (value * &unit).ceil().to_integer(),
-                })
-                .collect(),
+            radius: radius.map(|value| (value * &unit).ceil().to_integer()).collect(),
             denominator,
             phase_power: 0,
             complement_power: 0,
@@ -338,6 +333,14 @@ mod tests {
         // Nothing is divided out of what is only near zero.
         let long = EnclosedSeries::new(&[integer(1), integer(-1)], ratio(1, 9));
         assert_eq!(of(&[long]).phase_power(), 0);
+        // cos² φ, exactly and not.
+        let squared = |radius: Rational| {
+            let half = ratio(1, 2);
+            of(&[EnclosedSeries::new(&[half.clone(), integer(0), half], radius)])
+        };
+        let degrees =
+            [integer(0), ratio(1, 9)].map(|radius| squared(radius).neutral_waves().degree());
+        assert_eq!(degrees, [Some(1), Some(0)]);
     }
 
     #[test]

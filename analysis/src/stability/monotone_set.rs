@@ -92,7 +92,9 @@ impl Step {
                 .first()
                 .filter(|c| c.starts_negative())
                 .map(|c| c.offset.clone()),
-            at_zero: least.iter().all(|c| !c.polynomial.coefficient(0).is_negative()),
+            at_zero: open
+                .iter()
+                .all(|(_, center, radius)| center.coefficient(0) >= radius.coefficient(0)),
             ..StableSet::empty(evidence)
         };
         for whole in &possible {
@@ -100,7 +102,7 @@ impl Step {
             enclose(&mut set, whole, &inside, plan);
         }
         if let Some(last) = set.intervals.last_mut()
-            && least.iter().all(Coefficient::is_never_negative)
+            && open.is_empty()
         {
             last.to = Limit::unbounded(&plan.max, evidence);
         }
@@ -166,11 +168,9 @@ fn non_negative<'a>(coefficients: &'a [Coefficient], plan: &SearchPlan) -> Vec<S
         if all.is_empty() {
             break;
         }
-        if !coefficient.is_never_negative() {
-            let own = coefficient.non_negative(plan);
-            let pairs = all.iter().flat_map(|a| own.iter().map(move |b| a.and(b)));
-            all = pairs.flatten().collect();
-        }
+        let own = coefficient.non_negative(plan);
+        let pairs = all.iter().flat_map(|a| own.iter().map(move |b| a.and(b)));
+        all = pairs.flatten().collect();
     }
     all
 }
@@ -185,11 +185,6 @@ impl Coefficient {
     /// Whether it is negative for every small positive parameter.
     fn starts_negative(&self) -> bool {
         self.polynomial.coefficients().first().is_some_and(Signed::is_negative)
-    }
-
-    /// Whether that is plain from its signs.
-    fn is_never_negative(&self) -> bool {
-        self.polynomial.coefficients().iter().all(|value| !value.is_negative())
     }
 
     fn non_negative<'a>(&'a self, plan: &SearchPlan) -> Vec<Stretch<'a>> {

@@ -252,9 +252,6 @@ fn derivative(a: &[Laurent]) -> Vec<Laurent> {
 /// The resultant of a polynomial `[a_0, a_1, …]` and its derivative: the determinant of Sylvester's matrix.
 fn discriminant(a: &[Laurent]) -> Laurent {
     let degree = a.len() - 1;
-    if degree < 2 {
-        return Laurent::integer(1);
-    }
     let derivative = derivative(a);
     let size = 2 * degree - 1;
     let row = |polynomial: &[Laurent], shift: usize| {

@@ -33,19 +33,18 @@ pub enum PointVerdict<W = Rational> {
 /// # Ok::<(), courant_analysis::scheme::SchemeError>(())
 /// ```
 pub fn decide_at(margin: &Margin, courant_number: &Rational) -> PointVerdict {
-    if margin.is_neutral() || courant_number.is_zero() && margin.courant_power() > 0 {
+    if courant_number.is_zero() && margin.courant_power() > 0 {
         return PointVerdict::Stable;
     }
     decide_at_parameter(margin, &courant_number.pow(margin.stride() as i32))
 }
 
-/// [`decide_at`] the Courant number `t^{1/stride}`, which need not be a fraction, for a margin that is not neutral.
+/// [`decide_at`] the Courant number `t^{1/stride}`, which need not be a fraction.
 pub(super) fn decide_at_parameter(margin: &Margin, t: &Rational) -> PointVerdict {
     let (center, radius) = at_parameter(margin, t);
     let lowered = center.clone() - Polynomial::constant(radius.clone());
     match negative_point(&lowered) {
         None => PointVerdict::Stable,
-        Some(s) if radius.is_zero() => PointVerdict::Unstable(s),
         Some(_) => match negative_point(&(center + Polynomial::constant(radius))) {
             Some(s) => PointVerdict::Unstable(s),
             None => PointVerdict::Undecided,

@@ -118,9 +118,6 @@ fn zeros(polynomial: &Laurent, variable: Variable, max: &Rational) -> Vec<(f64, 
     let lowest = polynomial.range(variable).map_or(0, |(low, _)| low);
     let polynomial = Polynomial::new(coefficients.iter().map(constant).collect());
     let zero = (lowest > 0).then(|| (0.0, Some(Rational::zero())));
-    if polynomial.degree() < Some(1) {
-        return zero.into_iter().collect();
-    }
     let positive = real_roots(&polynomial, &Rational::zero(), max, BITS).into_iter().map(|root| {
         let simplest = simplest_between(&root.lower, &root.upper);
         let exact = polynomial.evaluate(&simplest).is_zero().then_some(simplest);
@@ -256,6 +253,18 @@ mod tests {
                 && all.iter().all(|one| one.wave.is_none()),
             "{all:?}"
         );
+        // Between the corners a wave is looked for on a line only.
+        for axes in ["i,j+", "i+"] {
+            let [there, back] = [axes.to_string(), axes.replace('+', "-")].map(|axes| {
+                if axes.starts_with("i,") {
+                    format!("u[n+1,{axes}2]")
+                } else {
+                    format!("u[n+1,{axes}2,j]")
+                }
+            });
+            let between = format!("u[n+1,i,j] + C*({there} - 2*u[n+1,i,j] + {back}) = u[n,i,j]");
+            assert_eq!(singular(&between), [], "{between}");
+        }
         // Implicit, and never singular.
         let implicit = "u[n+1,i,j] - r*(u[n+1,i+1,j] + u[n+1,i-1,j] + u[n+1,i,j+1] + u[n+1,i,j-1] - 4*u[n+1,i,j]) = u[n,i,j]";
         assert!(

@@ -17,7 +17,7 @@ use crate::interest::Interest;
 use crate::scheme::Step;
 use crate::stability::margin::Margin;
 pub(crate) use edge::fraction_or_root;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use search::Search;
 
 /// Boxes one decision may look at.
@@ -175,13 +175,8 @@ pub(crate) fn is_unstable_throughout(
 
 /// `s = sin²(φ/2)`, the exact value of a nearby float.
 pub(crate) fn phase_parameter(phase: f64) -> Rational {
-    if phase <= 0.0 {
-        return Rational::zero();
-    }
-    if phase >= std::f64::consts::PI {
-        return Rational::one();
-    }
-    from_f64((0.5 * phase).sin().powi(2)).expect("a square of a sine is finite")
+    let inside = phase.clamp(0.0, std::f64::consts::PI);
+    from_f64((0.5 * inside).sin().powi(2)).expect("a square of a sine is finite")
 }
 
 /// `φ = 2 arcsin √s`.

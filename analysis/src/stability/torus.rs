@@ -77,19 +77,17 @@ impl TorusInequality {
             square = requirement.polynomial.divide_exactly(&polynomial)?;
         }
         let mut whatever_the_step = false;
-        if let Some(variable) = parameter {
-            let common = super::symmetric(polynomial.content(variable));
-            if let Some(common) = common.filter(|p| p.as_constant().is_none())
-                && let Some(rest) = polynomial.divide_exactly(&common)
-            {
-                let plus = is_nowhere_negative(&common, dimension, interest)?;
-                if plus == Some(true) {
-                    polynomial = rest;
-                } else {
-                    match is_nowhere_negative(&-common, dimension, interest)? {
-                        Some(true) => polynomial = -rest,
-                        minus => whatever_the_step = plus == Some(false) && minus == Some(false),
-                    }
+        if let Some(variable) = parameter
+            && let Some(common) = super::symmetric(polynomial.content(variable))
+            && let Some(rest) = polynomial.divide_exactly(&common)
+        {
+            let plus = is_nowhere_negative(&common, dimension, interest)?;
+            if plus == Some(true) {
+                polynomial = rest;
+            } else {
+                match is_nowhere_negative(&-common, dimension, interest)? {
+                    Some(true) => polynomial = -rest,
+                    minus => whatever_the_step = plus == Some(false) && minus == Some(false),
                 }
             }
         }

@@ -168,6 +168,7 @@ mod tests {
     use super::*;
     use crate::exact::rational::to_f64;
     use crate::kernel::Kernel;
+    use crate::scheme::Step;
     use crate::scheme::testing::{SPH, sph};
 
     fn margin(scheme: &str, kernel: Kernel, l: Rational) -> Margin {
@@ -207,6 +208,14 @@ mod tests {
         // The exact shift is neutral at C = 1: no power at all.
         let shift = self::margin("godunov-sph", Kernel::CubicSpline, integer(1));
         assert_eq!(long_wave_behaviour_at(&shift, &integer(1)), None);
+        // Nothing happens without a step, without neighbours, or where it is not growth that is asked about.
+        assert_eq!(long_wave_behaviour_at(&margin, &integer(0)), None);
+        let alone = self::margin("godunov-sph", Kernel::CubicSpline, ratio(1, 4));
+        assert_eq!((long_wave_behaviour(&alone), steps_to_double(0.0)), (None, None));
+        let growing =
+            sph("godunov-sph", Kernel::CubicSpline, &integer(2)).gain_margin("C", &ratio(1, 9));
+        assert_eq!(long_wave_behaviour(&growing.unwrap().unwrap()), None);
+        assert_eq!(steps_to_double(-0.5), None);
     }
 
     #[test]
@@ -247,5 +256,18 @@ mod tests {
         let drifting = margin("lax-wendroff-sph", Kernel::Gaussian, integer(3));
         let seen = growth_seen_by(&drifting, 1.0, 2);
         assert_eq!(seen.phase == 0.0, seen.growth > 0.0, "{seen:?}");
+        let of = |text: &str| {
+            Step::from_text(text).unwrap().gain_margin("C", &integer(0)).unwrap().unwrap()
+        };
+        // g = 1 + C/5 cos φ; |g| = |1 − 2C| for the shortest wave.
+        let drifting = of("u[n+1,j] = u[n,j] + C/10*(u[n,j+1] + u[n,j-1])");
+        for seen in [growth_seen_by(&drifting, 1.0, 20), fastest_growth(&drifting, 1.0)] {
+            assert!(seen.phase == 0.0 && (seen.growth - 0.2).abs() < 1e-15, "{seen:?}");
+        }
+        let upwind = of("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])");
+        let seen = fastest_growth(&upwind, 1.2);
+        assert!((seen.phase - PI).abs() < 1e-7 && (seen.growth - 0.4).abs() < 1e-15, "{seen:?}");
+        let damped = fastest_growth(&upwind, 0.5);
+        assert!(damped.growth < 0.0 && damped.phase > 0.0, "{damped:?}");
     }
 }

@@ -61,7 +61,7 @@ pub fn figure_1(detail: Detail) -> Result<Item, ReportError> {
         nowhere_stable.push_str(&without_strict_limit(&map));
         data.extend(map.data_files(&format!("figure_01{letter}")));
     }
-    let figure = figure.color_bar(damping_bar()?).color_bar(growth_bar()?);
+    let figure = figure.color_bar(damping_bar()).color_bar(growth_bar());
     Ok(text().figure("figure_01", words!["nowhere" = nowhere_stable], figure, data))
 }
 

@@ -77,7 +77,7 @@ fn panel(index: usize, (scene, periods, runs): &Case) -> Panel {
     for ((plan, result), (_, marker, color)) in runs.iter().zip(SCHEMES) {
         panel = panel.layer(
             profile_markers(result, marker, color)
-                .open()
+                .fill(None)
                 .size(2.6)
                 .width(0.6)
                 .label(plan.method.scheme.title()),

@@ -1,6 +1,5 @@
 //! Colours: the qualitative palette, colour maps, and the bands of value that maps are painted in.
 
-use super::FigureError;
 use plotters::style::RGBColor;
 use plotters::style::colors::colormaps::{ColorMap as _, DerivedColorMap, ViridisRGB};
 use plotters_backend::BackendColor;
@@ -77,6 +76,8 @@ pub enum ColorMap {
     Blues,
     /// Near-white over orange to dark red.
     Reds,
+    /// Dark blue over near-white, at a half, to dark red: for quantities whose sign matters.
+    BluesReds,
 }
 
 const BLUES: [u32; 5] = [0xf7f9fb, 0xcbe1ef, 0x86bbda, 0x3a83b9, 0x144880];
@@ -89,11 +90,13 @@ impl ColorMap {
             ColorMap::Viridis => ViridisRGB.get_color(t).into(),
             ColorMap::Blues => along(&BLUES.map(Color::from_hex), t),
             ColorMap::Reds => along(&REDS.map(Color::from_hex), t),
+            ColorMap::BluesReds if t < 0.5 => ColorMap::Blues.at(1.0 - 2.0 * t),
+            ColorMap::BluesReds => ColorMap::Reds.at(2.0 * t - 1.0),
         }
     }
 }
 
-/// Values cut into bands, each with its colour: what filled contours and their colour bar share.
+/// Values cut into bands, each with its colour: what contours and their colour bar share.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bands {
     pub(super) edges: Vec<f64>,
@@ -103,56 +106,31 @@ pub struct Bands {
 }
 
 impl Bands {
-    /// Bands `edges[k] <= v < edges[k+1]` in the colour `colors[k]`. Smaller values stay blank, larger ones have the last
-    /// colour.
+    /// Bands `edges[k] <= v < edges[k+1]` in colours at equal steps along a map from 0 to 1, its ends included. Smaller
+    /// values stay blank, larger ones have the last colour.
     ///
-    /// # Errors
-    /// If there are fewer than two edges, they do not increase, or there is not one colour per band.
-    pub fn new(edges: Vec<f64>, colors: Vec<Color>) -> Result<Bands, FigureError> {
-        let valid = super::field::strictly_increasing(&edges) && colors.len() + 1 == edges.len();
-        match valid && edges.len() > 1 {
-            true => Ok(Bands { edges, colors, below: None, above: None }),
-            false => Err(FigureError::Bands),
-        }
-    }
-
-    /// Bands in colours taken at equal steps along a map, from its first to its last colour.
-    ///
-    /// # Errors
-    /// As [`Bands::new`].
+    /// # Panics
+    /// If there are fewer than two edges, or they do not increase.
     ///
     /// ```
     /// use courant_reports::figure::{Bands, ColorMap};
-    /// assert!(Bands::sequential(vec![0.0, 0.5, 1.0], ColorMap::Viridis).is_ok());
-    /// assert!(Bands::sequential(vec![0.0, 0.0], ColorMap::Reds).is_err());
+    /// let bands = Bands::new(vec![0.0, 0.5, 1.0], |t| ColorMap::Viridis.at(t));
+    /// let bands = bands.extend_above(ColorMap::Viridis.at(1.0));
     /// ```
-    pub fn sequential(edges: Vec<f64>, map: ColorMap) -> Result<Bands, FigureError> {
-        let n = edges.len().saturating_sub(1);
-        let step = 1.0 / (n.max(2) - 1) as f64;
-        let colors = (0..n).map(|k| map.at(k as f64 * step)).collect();
-        Bands::new(edges, colors)
-    }
-
-    /// Bands for quantities whose sign matters, edges symmetric about 0: blue below, orange to red above, the band about
-    /// 0 nearly white.
-    ///
-    /// # Errors
-    /// As [`Bands::new`].
-    pub fn about_zero(edges: Vec<f64>) -> Result<Bands, FigureError> {
-        let n = edges.len().saturating_sub(1);
-        let color = |k: usize| {
-            let t = (2 * k) as f64 / (n.max(2) - 1) as f64 - 1.0;
-            if t < 0.0 { ColorMap::Blues.at(-t) } else { ColorMap::Reds.at(t) }
-        };
-        Bands::new(edges, (0..n).map(color).collect())
+    pub fn new(edges: Vec<f64>, color: impl Fn(f64) -> Color) -> Bands {
+        assert!(edges.len() > 1 && edges.windows(2).all(|w| w[0] < w[1]), "edges {edges:?}");
+        let bands = edges.len() - 1;
+        let step = 1.0 / (bands.max(2) - 1) as f64;
+        let colors = (0..bands).map(|k| color(k as f64 * step)).collect();
+        Bands { edges, colors, below: None, above: None }
     }
 
     /// Lower edges and colours from the lowest band to the highest.
-    pub(super) fn ascending(&self) -> (Vec<f64>, Vec<Color>) {
+    pub(super) fn ascending(&self) -> impl Iterator<Item = (f64, Color)> {
         let last = self.edges[self.edges.len() - 1].next_up();
         let below = self.below.map(|color| (f64::NEG_INFINITY, color));
         let inner = self.edges.iter().copied().zip(self.colors.iter().copied());
-        below.into_iter().chain(inner).chain(self.above.map(|color| (last, color))).unzip()
+        below.into_iter().chain(inner).chain(self.above.map(|color| (last, color)))
     }
 
     /// Paints values below the first edge too; the colour bar shows a pointed end.
@@ -182,7 +160,8 @@ mod tests {
 
     #[test]
     fn colours_tell_the_sign() {
-        let bands = Bands::about_zero(vec![-2.0, -1.0, -0.5, 0.5, 1.0, 2.0]).unwrap();
+        let bands =
+            Bands::new(vec![-2.0, -1.0, -0.5, 0.5, 1.0, 2.0], |t| ColorMap::BluesReds.at(t));
         let redness = bands.colors.iter().map(|c| (i32::from(c.0) - i32::from(c.2)) / 20);
         assert_eq!(redness.map(i32::signum).collect::<Vec<_>>(), [-1, -1, 0, 1, 1]);
         assert_eq!(Color::BLACK.mix(Color::WHITE, 0.5), Color(128, 128, 128));
@@ -190,7 +169,7 @@ mod tests {
 
     #[test]
     fn ends_stay_where_values_lie_beyond_them() {
-        let bands = Bands::sequential(vec![0.0, 1.0, 2.0], ColorMap::Blues).unwrap();
+        let bands = Bands::new(vec![0.0, 1.0, 2.0], |t| ColorMap::Blues.at(t));
         let bands = bands.extend_below(Color::BLACK).extend_above(Color::GREY);
         let ends = |values: &[f64]| {
             let bands = bands.clone().needed_for(values.iter().copied());

@@ -1,15 +1,18 @@
 //! Colour bars: the bands of a map and their edges.
 
+use super::canvas::{Canvas, Done, pen};
+use super::geometry::{Point, Rect};
 use super::panel::{FRAME_WIDTH, LABEL_GAP, LABEL_SIZE, TICK, TICK_SIZE, widest};
-use super::{Bands, Canvas, Color, Dash, POINT, Point, Rect, Way, pen, text};
+use super::{Bands, Color, Dash, POINT, text};
 use crate::number::format_numbers;
+use plotters::style::FontTransform;
 
 const BREADTH: f64 = 9.0 * POINT;
 /// From line to line of a label.
 const LINE: f64 = 1.25 * LABEL_SIZE * POINT;
 
-/// The key to the colours of filled contours: all bands equally long, their edges labelled; set apart by lines where
-/// their steps are not even.
+/// The key to the colours of contours: all bands equally long, their edges labelled; set apart by lines where their steps
+/// are not even.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColorBar {
     bands: Bands,
@@ -30,7 +33,7 @@ impl ColorBar {
     }
 
     /// Draws the bar upwards at `left`.
-    pub(super) fn draw(&self, canvas: &mut Canvas, left: f64, (bottom, top): (f64, f64)) {
+    pub(super) fn draw(&self, canvas: &Canvas, left: f64, (bottom, top): (f64, f64)) -> Done {
         let Bands { edges, colors, below, above } = &self.bands;
         let (right, style) = (left + BREADTH, pen(Color::BLACK, FRAME_WIDTH));
         let low = if below.is_some() { bottom - BREADTH } else { bottom };
@@ -40,28 +43,32 @@ impl ColorBar {
         let step = edges[1] - edges[0];
         let even = edges.windows(2).all(|w| (w[1] - w[0] - step).abs() < 1e-9 * step);
         for (k, color) in colors.iter().enumerate() {
-            canvas.fill(vec![band(k)], *color);
+            canvas.fill(&[band(k)], *color)?;
         }
-        (0..colors.len()).filter(|_| !even).for_each(|k| canvas.outline(&band(k), style));
+        for k in (0..colors.len()).filter(|_| !even) {
+            canvas.outline(&band(k), style)?;
+        }
         for (color, from, to) in [(below, low, bottom), (above, high, top)] {
             let tip: Vec<Point> = vec![[left, from], [0.5 * (left + right), to], [right, from]];
             if let Some(color) = color {
-                canvas.fill(vec![tip.clone()], *color);
-                canvas.outline(&tip, style);
+                canvas.fill(std::slice::from_ref(&tip), *color)?;
+                canvas.outline(&tip, style)?;
             }
         }
-        canvas.outline(&Rect { left, right, top: high, bottom: low }.corners(), style);
+        canvas.outline(&Rect { left, right, top: high, bottom: low }.corners(), style)?;
         // As many numbers as do not touch.
         let numbers = format_numbers(edges);
         let room = 1.15 * TICK_SIZE * POINT * colors.len() as f64 / (low - high).abs();
         for (k, number) in numbers.iter().enumerate().step_by(room.ceil().max(1.0) as usize) {
-            canvas.stroke(&[[right, at(k)], [right + TICK, at(k)]], style, Dash::Solid);
-            canvas.write(number, TICK_SIZE, [right + 2.0 * TICK, at(k)], Way::Beside);
+            canvas.stroke(&[[right, at(k)], [right + TICK, at(k)]], style, Dash::Solid)?;
+            canvas.write(number, &text::beside(TICK_SIZE), [right + 2.0 * TICK, at(k)])?;
         }
         let mut across = right + 2.0 * TICK + widest(&numbers) + LABEL_GAP;
+        let upwards = text::above(LABEL_SIZE).transform(FontTransform::Rotate270);
         for line in text::wrapped(&self.label, LABEL_SIZE, bottom - top) {
             across += LINE;
-            canvas.write(&line, LABEL_SIZE, [across, 0.5 * (bottom + top)], Way::Upwards);
+            canvas.write(&line, &upwards, [across, 0.5 * (bottom + top)])?;
         }
+        Ok(())
     }
 }

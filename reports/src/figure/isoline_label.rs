@@ -1,32 +1,48 @@
 //! Where along an isoline its value is written.
 
-use super::geometry::{between, distance, distance_to_segment};
-use super::paint::ISOLINE_SIZE;
-use super::{POINT, Point, Rect};
+use super::canvas::{Canvas, Done};
+use super::geometry::{Point, Rect, between, distance, distance_to_segment};
+use super::{POINT, text};
+use crate::number::format_number;
 
-/// What labels must keep clear of: the border, other labels, and the curves, markers and notes of the panel.
-pub(super) struct Obstacles {
+const SIZE: f64 = 6.8;
+
+/// Isolines that want their value written into them, and what labels must keep clear of: the border, other labels, and
+/// the curves, markers and notes of the panel.
+pub(super) struct IsolineLabels {
     rect: Rect,
+    pub(super) wanted: Vec<(f64, Vec<Point>)>,
     /// Centres of labels and half their widths.
     labels: Vec<(Point, f64)>,
     curves: Vec<[Point; 2]>,
 }
 
-impl Obstacles {
-    pub(super) fn new(rect: Rect) -> Obstacles {
-        Obstacles { rect, labels: Vec::new(), curves: Vec::new() }
+impl IsolineLabels {
+    pub(super) fn new(rect: Rect) -> IsolineLabels {
+        IsolineLabels { rect, wanted: Vec::new(), labels: Vec::new(), curves: Vec::new() }
     }
 
     /// Keeps labels off a curve.
-    pub(super) fn add(&mut self, curve: &[Point]) {
+    pub(super) fn keep_off(&mut self, curve: &[Point]) {
         self.curves.extend(curve.windows(2).map(|w| [w[0], w[1]]));
+    }
+
+    /// Writes the values for which there is room.
+    pub(super) fn draw(mut self, canvas: &Canvas) -> Done {
+        for (value, line) in std::mem::take(&mut self.wanted) {
+            let value = format_number(value);
+            if let Some((at, angle)) = self.place(&line, text::width(&value, SIZE)) {
+                canvas.letters(&value, SIZE, at, angle)?;
+            }
+        }
+        Ok(())
     }
 
     /// The middle and the angle (in radians, upright) of a text of this width on the straightest, most central stretch of
     /// the line that is clear of border, labels and curves; `None` if there is none. The place is then taken.
-    pub(super) fn place(&mut self, line: &[Point], width: f64) -> Option<(Point, f64)> {
+    fn place(&mut self, line: &[Point], width: f64) -> Option<(Point, f64)> {
         const TRIALS: usize = 41;
-        let size = ISOLINE_SIZE * POINT;
+        let size = SIZE * POINT;
         let mut lengths = vec![0.0];
         for w in line.windows(2) {
             lengths.push(lengths[lengths.len() - 1] + distance(w[0], w[1]));
@@ -81,17 +97,17 @@ mod tests {
     #[test]
     fn labels_read_upright_and_keep_off_each_other_and_off_curves() {
         let rect = Rect { left: 0.0, top: 0.0, right: 4000.0, bottom: 2000.0 };
-        let empty = || Obstacles::new(rect);
+        let empty = || IsolineLabels::new(rect);
         // Drawn right to left and downwards to the left on the page.
         let line = [[3000.0, 200.0], [1000.0, 1800.0]];
-        let mut obstacles = empty();
-        let (first, angle) = obstacles.place(&line, 400.0).unwrap();
+        let mut labels = empty();
+        let (first, angle) = labels.place(&line, 400.0).unwrap();
         assert!((angle - 0.8f64.atan()).abs() < 1e-9);
-        let (second, _) = obstacles.place(&line, 400.0).unwrap();
+        let (second, _) = labels.place(&line, 400.0).unwrap();
         assert!(distance(first, second) > 480.0);
         assert_eq!(empty().place(&line, 100.0).unwrap().1, 0.0);
-        obstacles.add(&[[2000.0, 0.0], [2000.0, 2000.0]]);
-        let (middle, _) = obstacles.place(&[[0.0, 300.0], [4000.0, 300.0]], 400.0).unwrap();
+        labels.keep_off(&[[2000.0, 0.0], [2000.0, 2000.0]]);
+        let (middle, _) = labels.place(&[[0.0, 300.0], [4000.0, 300.0]], 400.0).unwrap();
         assert!((middle[0] - 2000.0).abs() > 200.0);
         assert!(empty().place(&[[400.0, 1000.0], [1200.0, 1000.0]], 400.0).is_none());
     }

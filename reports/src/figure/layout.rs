@@ -1,10 +1,11 @@
 //! Figures: panels in a grid, with what they share.
 
+use super::canvas::{Canvas, Done};
+use super::geometry::Rect;
 use super::legend::Legend;
-use super::raster;
-use super::{Canvas, Color, ColorBar, FigureError, POINT, Panel, Rect, Way, text};
+use super::panel::Plot;
+use super::{Color, ColorBar, FigureError, POINT, Panel, raster, text};
 use plotters::{backend::SVGBackend, drawing::IntoDrawingArea};
-use plotters_backend::DrawingBackend;
 
 const TITLE_SIZE: f64 = 10.5;
 /// Between neighbouring panels, beside their labels.
@@ -69,25 +70,30 @@ impl Figure {
     /// The picture as PNG at 300 dots per inch, with its size recorded in the file.
     ///
     /// # Errors
-    /// If an axis has an impossible range, or the panels do not fit.
+    /// As [`Figure::svg`].
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        raster::png(self.units(), |raster| self.draw_on(raster))
+        raster::png(&self.svg()?)
     }
 
     /// The picture as SVG. Axes, titles and legends are text.
     ///
     /// # Errors
-    /// As [`Figure::png`].
+    /// If an axis has an impossible range, or the panels do not fit.
     pub fn svg(&self) -> Result<String, FigureError> {
         let mut document = String::new();
         let (width, height) = self.units();
-        self.draw_on(SVGBackend::with_string(&mut document, (width, height)))?;
-        // Its physical size instead of units of the canvas.
+        self.draw(SVGBackend::with_string(&mut document, (width, height)))?;
         let [wide, high] = [width, height].map(|units| f64::from(units) / (72.0 * POINT));
-        let size = format!(
-            "role=\"img\" stroke-linejoin=\"round\" width=\"{wide}in\" height=\"{high}in\""
-        );
-        Ok(document.replacen(&format!("width=\"{width}\" height=\"{height}\""), &size, 1))
+        let size = format!(r#"stroke-linejoin="round" width="{wide}in" height="{high}in""#);
+        // Its physical size instead of units of the canvas; letters centred by their capitals or standing on their
+        // descenders, where plotters counts in x-heights, which depend on the viewer.
+        Ok(document
+            .replace(
+                &format!(r#"width="{width}" height="{height}""#),
+                &format!(r#"role="img" {size}"#),
+            )
+            .replace(r#"dy="0.5ex""#, &format!(r#"dy="{}em""#, 0.5 * text::CAP_HEIGHT))
+            .replace(r#"dy="-0.5ex""#, &format!(r#"dy="{}em""#, -text::DESCENT)))
     }
 
     /// The size of the canvas.
@@ -96,20 +102,19 @@ impl Figure {
         (units(self.size.0), units(self.size.1))
     }
 
-    fn draw_on<DB: DrawingBackend>(&self, backend: DB) -> Result<(), FigureError> {
+    fn draw(&self, backend: SVGBackend) -> Done {
         let (rows, columns) = self.grid;
         if self.panels.len() > rows * columns || self.panels.is_empty() {
             return Err(FigureError::PanelCount(self.panels.len(), rows, columns));
         }
-        let panels: Vec<Panel> =
-            self.panels.iter().map(Panel::resolve).collect::<Result<_, _>>()?;
+        let plots = self.panels.iter().map(Panel::plot).collect::<Result<Vec<Plot>, _>>()?;
         let (width, height) = self.units();
         let page = Rect { left: 0.0, top: 0.0, right: width.into(), bottom: height.into() };
         let mut area = page.grown(-PAGE_MARGIN);
         let title = text::wrapped(&self.title, TITLE_SIZE, area.width());
         let title_line = 1.3 * TITLE_SIZE * POINT;
         area.top += title.len() as f64 * title_line;
-        let legend = Legend::new(panels.iter().flat_map(|panel| &panel.layers), area.width());
+        let legend = Legend::new(&self.panels, area.width());
         area.bottom -= legend.height();
         let bars = self.color_bars.len() as f64;
         // Bars are as long as the plots, which are shorter than the area by titles and axes.
@@ -131,37 +136,35 @@ impl Figure {
             if !(width >= 30.0 * POINT && height >= 30.0 * POINT) {
                 return Err(FigureError::TooSmall(width / POINT, height / POINT));
             }
-            for needed in panels.iter().map(|panel| panel.margins(width, height)) {
+            for needed in plots.iter().map(|plot| plot.margins(width, height)) {
                 margins = std::array::from_fn(|k| needed[k].max(margins[k]));
             }
         }
         let [width, height] = inner(margins);
-        let plot = |k: usize| {
+        let place = |k: usize| {
             let left = area.left + margins[0] + (k % columns) as f64 * pitch[0];
             let top = area.top + margins[2] + (k / columns) as f64 * pitch[1];
             Rect { left, top, right: left + width, bottom: top + height }
         };
-        let mut canvas = Canvas::default();
-        canvas.fill(vec![page.corners()], Color::WHITE);
+        let canvas = Canvas(backend.into_drawing_area());
+        canvas.fill(&[page.corners()], Color::WHITE)?;
         let middle = 0.5 * page.right;
         for (k, line) in title.iter().enumerate() {
             let ascent = (text::ASCENT + text::DESCENT) * TITLE_SIZE * POINT;
             let down = PAGE_MARGIN + k as f64 * title_line + ascent;
-            canvas.write(line, TITLE_SIZE, [middle, down], Way::Above);
+            canvas.write(line, &text::above(TITLE_SIZE), [middle, down])?;
         }
-        let (top, bottom) = (plot(0).top, plot(rows * columns - 1).bottom);
+        let (top, bottom) = (place(0).top, place(rows * columns - 1).bottom);
         let step = (bottom - top + BAR_GAP) / bars;
         for (k, bar) in self.color_bars.iter().enumerate() {
             let low = bottom - k as f64 * step;
-            bar.draw(&mut canvas, area.right + BAR_GAP, (low, low - step + BAR_GAP));
+            bar.draw(&canvas, area.right + BAR_GAP, (low, low - step + BAR_GAP))?;
         }
-        legend.draw(&mut canvas, middle, area.bottom);
-        let sheet = backend.into_drawing_area();
-        canvas.draw(&sheet)?;
-        for (k, panel) in panels.iter().enumerate() {
-            panel.draw(&sheet, plot(k), margins)?;
+        legend.draw(&canvas, middle, area.bottom)?;
+        for (k, plot) in plots.iter().enumerate() {
+            plot.draw(&canvas, place(k), margins)?;
         }
-        Ok(sheet.present()?)
+        Ok(canvas.0.present()?)
     }
 }
 

@@ -1,9 +1,10 @@
-//! The legend below all panels: names of layers beside samples of their look. Plotters' own has but one column in a
-//! corner of one plot, and measures its text without the font.
+//! The legend below all panels: names beside samples of the look. Plotters' own has but one column in a corner of one
+//! plot, and measures its text without the font.
 
+use super::canvas::{Canvas, Done, pen};
+use super::geometry::Rect;
 use super::panel::LABEL_GAP;
-use super::{Canvas, Color, Dash, Layer, POINT, Rect, Way, pen, text};
-use std::ops::Range;
+use super::{Color, Dash, POINT, Panel, text};
 
 /// Size of the names, in points.
 const SIZE: f64 = 7.8;
@@ -14,27 +15,29 @@ const SAMPLE: f64 = 20.0 * POINT;
 /// From sample to name.
 const GAP: f64 = 4.0 * POINT;
 
-/// Names, each with the layers that bear it and the room it takes up to the next one, in rows.
+/// All names in the panels, each with the room it takes up to the next one, in rows.
 pub(super) struct Legend<'a> {
-    entries: Vec<(&'a str, Vec<&'a Layer>)>,
-    widths: Vec<f64>,
-    rows: Vec<Range<usize>>,
+    panels: &'a [Panel],
+    rows: Vec<Vec<(&'a str, f64)>>,
 }
 
 impl<'a> Legend<'a> {
-    /// The legend of the named layers, `room` wide at most; layers of the same name share an entry.
-    pub(super) fn new(layers: impl Iterator<Item = &'a Layer>, room: f64) -> Legend<'a> {
-        let mut entries: Vec<(&str, Vec<&Layer>)> = Vec::new();
-        for layer in layers.filter(|layer| !layer.label().is_empty()) {
-            match entries.iter_mut().find(|entry| entry.0 == layer.label()) {
-                Some(entry) => entry.1.push(layer),
-                None => entries.push((layer.label(), vec![layer])),
+    /// The legend of the panels, `room` wide at most; what has the same name shares an entry.
+    pub(super) fn new(panels: &'a [Panel], room: f64) -> Legend<'a> {
+        let mut names: Vec<&str> = Vec::new();
+        for panel in panels {
+            let contours = panel.contours.iter().map(|contours| contours.label.as_str());
+            for name in contours.chain(panel.series.iter().map(|series| series.label.as_str())) {
+                if !name.is_empty() && !names.contains(&name) {
+                    names.push(name);
+                }
             }
         }
-        let width = |entry: &(&str, _)| 2.0 * SAMPLE + GAP + text::width(entry.0, SIZE);
-        let widths: Vec<f64> = entries.iter().map(width).collect();
-        let rows = text::lines(&widths, room + SAMPLE);
-        Legend { entries, widths, rows }
+        let room_of = |name| (name, 2.0 * SAMPLE + GAP + text::width(name, SIZE));
+        let entries: Vec<(&str, f64)> = names.into_iter().map(room_of).collect();
+        let widths: Vec<f64> = entries.iter().map(|entry| entry.1).collect();
+        let rows = text::lines(&widths, room + SAMPLE).into_iter();
+        Legend { panels, rows: rows.map(|row| entries[row].to_vec()).collect() }
     }
 
     pub(super) fn height(&self) -> f64 {
@@ -42,35 +45,38 @@ impl<'a> Legend<'a> {
     }
 
     /// Draws the legend from `top` down, each row centred on `middle`.
-    pub(super) fn draw(&self, canvas: &mut Canvas, middle: f64, top: f64) {
+    pub(super) fn draw(&self, canvas: &Canvas, middle: f64, top: f64) -> Done {
         for (k, row) in self.rows.iter().enumerate() {
             let y = top + LABEL_GAP + (k as f64 + 0.5) * ROW;
-            let mut x = middle - 0.5 * (self.widths[row.clone()].iter().sum::<f64>() - SAMPLE);
-            for n in row.clone() {
-                let (label, layers) = &self.entries[n];
-                layers.iter().for_each(|layer| sample(canvas, layer, x, y));
-                canvas.write(label, SIZE, [x + SAMPLE + GAP, y], Way::Beside);
-                x += self.widths[n];
+            let width: f64 = row.iter().map(|entry| entry.1).sum();
+            let mut x = middle - 0.5 * (width - SAMPLE);
+            for (name, room) in row {
+                self.draw_sample(canvas, name, x, y)?;
+                canvas.write(name, &text::beside(SIZE), [x + SAMPLE + GAP, y])?;
+                x += room;
             }
         }
+        Ok(())
     }
-}
 
-/// The look of a layer, to the right of a place.
-fn sample(canvas: &mut Canvas, layer: &Layer, x: f64, y: f64) {
-    let line = [[x, y], [x + SAMPLE, y]];
-    match layer {
-        Layer::Series(series) => match series.marker {
-            Some(marker) => canvas.marker([x + 0.5 * SAMPLE, y], marker, series),
-            None => canvas.stroke(&line, pen(series.color, series.width), series.dash),
-        },
-        Layer::Isolines(lines) => canvas.stroke(&line, pen(Color::BLACK, lines.width), Dash::Solid),
-        Layer::FilledContours(contours) => {
-            let half = 0.4 * SIZE * POINT;
-            let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
-            canvas.fill(vec![patch.corners()], contours.bands.colors[0]);
-            canvas.outline(&patch.corners(), pen(Color::GREY, 0.4));
+    /// The look of everything with a name, to the right of a place.
+    fn draw_sample(&self, canvas: &Canvas, name: &str, x: f64, y: f64) -> Done {
+        let line = [[x, y], [x + SAMPLE, y]];
+        for panel in self.panels {
+            for contours in panel.contours.iter().filter(|contours| contours.label == name) {
+                let Some(bands) = &contours.bands else {
+                    canvas.stroke(&line, pen(Color::BLACK, contours.width), Dash::Solid)?;
+                    continue;
+                };
+                let half = 0.4 * SIZE * POINT;
+                let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
+                canvas.fill(&[patch.corners()], bands.colors[0])?;
+                canvas.outline(&patch.corners(), pen(Color::GREY, 0.4))?;
+            }
+            for series in panel.series.iter().filter(|series| series.label == name) {
+                series.draw(canvas, &line)?;
+            }
         }
-        Layer::Note(_) => {}
+        Ok(())
     }
 }

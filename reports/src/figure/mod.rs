@@ -1,10 +1,10 @@
 //! Figures for papers and reports: plain data in, PNG (300 dpi) or SVG out, in memory.
 //!
-//! A [`Figure`] is a grid of [`Panel`]s; a panel has two [`Axis`] and layers in data coordinates: [`Series`],
-//! [`FilledContours`], [`Isolines`], [`Note`]. Sizes are in points (1/72 inch) on the printed page.
+//! A [`Figure`] is a grid of [`Panel`]s; a panel has two [`Axis`] and, in data coordinates, [`Contours`], [`Series`] and
+//! notes. Sizes are in points (1/72 inch) on the printed page.
 //!
-//! [plotters] draws, on a canvas in units of a twentieth of a point: as SVG by its own backend, as PNG by one over
-//! tiny-skia. The result depends on nothing but the data: equal figures give equal bytes.
+//! [plotters] draws, on a canvas in units of a twentieth of a point, as SVG, which resvg renders as PNG. The result
+//! depends on nothing but the data: equal figures give equal bytes.
 //!
 //! ```
 //! use courant_reports::figure::{Axis, Figure, Marker, Panel, Series};
@@ -24,38 +24,33 @@ mod axis;
 mod canvas;
 mod color;
 mod color_bar;
-mod field;
+mod contours;
+mod frame;
 mod geometry;
 mod isoline_label;
-mod layer;
 mod layout;
 mod legend;
-mod paint;
 mod panel;
 mod raster;
+mod series;
 mod text;
 
 pub use axis::Axis;
 pub use color::{Bands, Color, ColorMap};
 pub use color_bar::ColorBar;
-pub use field::Field;
-pub use layer::{Dash, FilledContours, Isolines, Layer, Marker, Note, Series};
+pub use contours::Contours;
 pub use layout::Figure;
 pub use panel::Panel;
+pub use series::{Dash, Marker, Series};
 
-use canvas::{Canvas, Way, pen};
-use geometry::{Point, Rect};
 use text::POINT;
 
 /// Why a figure, or a part of it, cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum FigureError {
-    /// The parts of a field do not fit together.
-    #[error("a field needs finite ascending nodes, two at least each way, and a value for each")]
-    Field,
-    /// The parts of a colour scale do not fit together.
-    #[error("bands need finite ascending edges, two at least, and a colour between each two")]
-    Bands,
+    /// A field to be drawn is none.
+    #[error(transparent)]
+    Field(#[from] crate::level_set::FieldError),
     /// An axis range is empty, not finite, or not positive on a logarithmic axis: label and ends.
     #[error("axis '{0}' cannot have the range {1} to {2}")]
     AxisRange(String, f64, f64),
@@ -65,10 +60,13 @@ pub enum FigureError {
     /// Labels leave no room for the panels: width and height left for one, in points.
     #[error("no room for the panels: {0:.0} x {1:.0} points each")]
     TooSmall(f64, f64),
+    /// The SVG cannot be rendered.
+    #[error("cannot render the SVG: {0}")]
+    Svg(#[from] resvg::usvg::Error),
     /// The PNG encoder failed.
     #[error("cannot encode the PNG: {0}")]
     Png(#[from] png::EncodingError),
     /// The drawing library failed.
     #[error("cannot draw: {0}")]
-    Drawing(String),
+    Drawing(#[from] plotters::drawing::DrawingAreaErrorKind<std::io::Error>),
 }

@@ -1,15 +1,18 @@
 //! One panel: two axes and what is drawn between them.
 
-use super::paint::{self, Frame};
-use super::{Axis, Canvas, Color, FigureError, Layer, POINT, Point, Rect, Way, pen, text};
-use plotters::style::text_anchor::{HPos, VPos};
-use plotters::{chart::ChartBuilder, coord::Shift, drawing::DrawingArea};
-use plotters_backend::DrawingBackend;
+use super::canvas::{Canvas, Done, pen};
+use super::frame::Frame;
+use super::geometry::{Point, Rect};
+use super::isoline_label::IsolineLabels;
+use super::{Axis, Color, Contours, FigureError, POINT, Series, text};
+use plotters::chart::ChartBuilder;
+use rayon::prelude::*;
 
 // Sizes of text and widths of lines in points, lengths in units.
 pub(super) const TICK_SIZE: f64 = 8.0;
 pub(super) const LABEL_SIZE: f64 = 9.0;
 const TITLE_SIZE: f64 = 9.0;
+const NOTE_SIZE: f64 = 7.5;
 pub(super) const FRAME_WIDTH: f64 = 0.7;
 /// Length of a tick; the number stands as far from its end.
 pub(super) const TICK: f64 = 2.7 * POINT;
@@ -18,20 +21,24 @@ pub(super) const LABEL_GAP: f64 = 3.5 * POINT;
 
 /// One plot of a figure.
 ///
-/// Layers are drawn in the order in which they were added, over a light grid and under the frame.
+/// Contours, then series, then notes are drawn in the order in which they were added, over a light grid and under the
+/// frame.
 #[derive(Debug, Clone)]
 pub struct Panel {
     title: String,
     x: Axis,
     y: Axis,
-    pub(super) layers: Vec<Layer>,
     equal_units: bool,
+    pub(super) contours: Vec<Contours>,
+    pub(super) series: Vec<Series>,
+    notes: Vec<(Point, String)>,
 }
 
 impl Panel {
     /// An empty panel.
     pub fn new(x: Axis, y: Axis) -> Panel {
-        Panel { title: String::new(), x, y, layers: Vec::new(), equal_units: false }
+        let (contours, series, notes) = (Vec::new(), Vec::new(), Vec::new());
+        Panel { title: String::new(), x, y, equal_units: false, contours, series, notes }
     }
 
     /// Sets the title.
@@ -39,14 +46,26 @@ impl Panel {
         Panel { title: title.into(), ..self }
     }
 
-    /// Adds a layer on top.
-    pub fn layer(self, layer: impl Into<Layer>) -> Panel {
-        self.layers([layer])
+    /// Adds contours below all series.
+    pub fn contours(mut self, contours: Contours) -> Panel {
+        self.contours.push(contours);
+        self
     }
 
-    /// Adds layers on top, in order.
-    pub fn layers<L: Into<Layer>>(mut self, layers: impl IntoIterator<Item = L>) -> Panel {
-        self.layers.extend(layers.into_iter().map(Into::into));
+    /// Adds a series on top.
+    pub fn layer(self, series: Series) -> Panel {
+        self.layers([series])
+    }
+
+    /// Adds series on top, in order.
+    pub fn layers(mut self, series: impl IntoIterator<Item = Series>) -> Panel {
+        self.series.extend(series);
+        self
+    }
+
+    /// Adds a short text centred on a point of the data, in black with a white border that keeps it readable.
+    pub fn note(mut self, x: f64, y: f64, text: impl Into<String>) -> Panel {
+        self.notes.push(([x, y], text.into()));
         self
     }
 
@@ -57,26 +76,30 @@ impl Panel {
     }
 
     /// The panel with definite ranges of its axes.
-    pub(super) fn resolve(&self) -> Result<Panel, FigureError> {
-        let (mut points, mut pad) = (Vec::<Point>::new(), 0.0);
-        for field in self.layers.iter().filter_map(Layer::field) {
-            points.extend(field.x.iter().map(|&x| [x, field.y[0]]));
-            points.extend(field.y.iter().map(|&y| [field.x[0], y]));
-        }
+    pub(super) fn plot(&self) -> Result<Plot<'_>, FigureError> {
         // What lies over a map does not widen it.
-        if points.is_empty() {
-            pad = 0.04;
-            points.extend(self.layers.iter().flat_map(Layer::extent));
-        }
+        let (points, pad): (Vec<Point>, f64) = match self.contours.is_empty() {
+            true => (self.series.iter().flat_map(Series::extent).copied().collect(), 0.04),
+            false => (self.contours.iter().flat_map(|c| c.field.extent()).collect(), 0.0),
+        };
         let x = self.x.resolve(points.iter().map(|p| p[0]), pad)?;
         let y = self.y.resolve(points.iter().map(|p| p[1]), pad)?;
-        Ok(Panel { x, y, ..self.clone() })
+        Ok(Plot { panel: self, x, y })
     }
+}
 
+/// A panel whose axes have definite ranges.
+pub(super) struct Plot<'a> {
+    panel: &'a Panel,
+    x: Axis,
+    y: Axis,
+}
+
+impl Plot<'_> {
     /// The axes of a plot of this size with as many ticks as have room.
     fn axes(&self, width: f64, height: f64) -> (Axis, Axis) {
         let (mut x, mut y) = (self.x.clone(), self.y.clone());
-        if self.equal_units {
+        if self.panel.equal_units {
             let ((a, b), (c, d)) = (x.ends(), y.ends());
             // Half of what each axis must be longer by.
             let more = 0.5 * ((d - c) * width / height - (b - a));
@@ -92,7 +115,7 @@ impl Panel {
     }
 
     fn title_lines(&self, width: f64) -> Vec<String> {
-        text::wrapped(&self.title, TITLE_SIZE, 1.1 * width)
+        text::wrapped(&self.panel.title, TITLE_SIZE, 1.1 * width)
     }
 
     /// The room that titles and labels need around a plot of the given size: left, right, above and below.
@@ -113,32 +136,26 @@ impl Panel {
     }
 
     /// Draws the panel with its plot in the rectangle; titles and labels stand around it.
-    pub(super) fn draw<DB: DrawingBackend>(
-        &self,
-        page: &DrawingArea<DB, Shift>,
-        plot: Rect,
-        margins: [f64; 4],
-    ) -> Result<(), FigureError> {
+    pub(super) fn draw(&self, canvas: &Canvas, plot: Rect, margins: [f64; 4]) -> Done {
         let units = |v: f64| v.round() as i32;
         let [left, right, top, bottom] = margins;
         let corner = (units(plot.left - left), units(plot.top - top));
         let size = (units(left + plot.width() + right), units(top + plot.height() + bottom));
         let (x, y) = self.axes(plot.width(), plot.height());
-        let mut chart = ChartBuilder::on(&page.clone().shrink(corner, size))
+        let mut chart = ChartBuilder::on(&canvas.0.clone().shrink(corner, size))
             .margin_top(units(top))
             .margin_right(units(right))
             .x_label_area_size(units(bottom))
             .y_label_area_size(units(left))
             .build_cartesian_2d(x.clone(), y.clone())?;
-        let text = |size| text::style(size, HPos::Center, VPos::Bottom);
-        let frame = pen(Color::BLACK, FRAME_WIDTH);
+        let border = pen(Color::BLACK, FRAME_WIDTH);
         chart
             .configure_mesh()
-            .axis_style(frame)
+            .axis_style(border)
             .bold_line_style(pen(Color(222, 222, 222), 0.4))
             .light_line_style(pen(Color(238, 238, 238), 0.3))
-            .label_style(text(TICK_SIZE))
-            .axis_desc_style(text(LABEL_SIZE))
+            .label_style(text::above(TICK_SIZE))
+            .axis_desc_style(text::above(LABEL_SIZE))
             .x_desc(x.label.as_str())
             .y_desc(y.label.as_str())
             .set_all_tick_mark_size(units(TICK))
@@ -147,14 +164,34 @@ impl Panel {
         let [left, right, top, bottom] =
             [across.start, across.end - 1, down.start, down.end - 1].map(f64::from);
         let rect = Rect { left, top, right, bottom };
-        let mut canvas = Canvas::default();
-        paint::layers(&mut canvas, &Frame { rect, x: &x, y: &y }, &self.layers);
-        canvas.outline(&rect.corners(), frame);
+        self.draw_data(canvas, &Frame { rect, x: &x, y: &y })?;
+        canvas.outline(&rect.corners(), border)?;
         for (k, line) in self.title_lines(plot.width()).iter().rev().enumerate() {
             let above = top - (0.3 + 1.2 * k as f64) * TITLE_SIZE * POINT;
-            canvas.write(line, TITLE_SIZE, [0.5 * (left + right), above], Way::Above);
+            canvas.write(line, &text::above(TITLE_SIZE), [0.5 * (left + right), above])?;
         }
-        canvas.draw(page)
+        Ok(())
+    }
+
+    fn draw_data(&self, canvas: &Canvas, frame: &Frame) -> Done {
+        let Panel { contours, series, notes, .. } = self.panel;
+        // Side by side: following contours is most of the work.
+        contours.par_iter().for_each(|contours| _ = contours.follow());
+        let mut labels = IsolineLabels::new(frame.rect);
+        for contours in contours {
+            contours.draw(canvas, frame, &mut labels)?;
+        }
+        for series in series {
+            for line in series.on_page(frame) {
+                series.draw(canvas, &line)?;
+                labels.keep_off(&line);
+            }
+        }
+        for (at, note) in notes {
+            canvas.letters(note, NOTE_SIZE, frame.at(*at), 0.0)?;
+            labels.keep_off(&[frame.at(*at); 2]);
+        }
+        labels.draw(canvas)
     }
 }
 

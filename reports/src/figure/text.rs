@@ -1,22 +1,22 @@
 //! Letters of the bundled font, DejaVu Sans: their widths and their outlines.
 
-use super::{Point, geometry::between};
+use super::geometry::{Point, between};
 use ab_glyph::{Font, FontRef, GlyphId, OutlineCurve};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, Color, IntoFont, TextStyle};
 use std::{ops::Range, sync::LazyLock};
 
-static FONT: LazyLock<FontRef<'static>> = LazyLock::new(|| {
-    FontRef::try_from_slice(include_bytes!("../../fonts/DejaVuSans.ttf"))
-        .expect("the bundled font is valid")
-});
+/// The bundled font.
+pub(super) const FONT_FILE: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
+static FONT: LazyLock<FontRef<'static>> =
+    LazyLock::new(|| FontRef::try_from_slice(FONT_FILE).expect("the bundled font is valid"));
 
 /// Units of the canvas in a point.
 pub(super) const POINT: f64 = 20.0;
 /// The bundled font by name, and what is as wide where a viewer of SVG does not have it.
 const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 /// Plotters' size of a font over its em.
-pub(super) const SIZE_OVER_EM: f64 = 1.24;
+const SIZE_OVER_EM: f64 = 1.24;
 /// Height of capital letters and digits over the em.
 pub(super) const CAP_HEIGHT: f64 = 0.729;
 /// Depth of descenders over the em.
@@ -46,27 +46,11 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
     shaped(text).1 * size * POINT
 }
 
-/// The outlines of a text as closed rings: it is anchored as plotters does it and runs at `angle` (radians,
+/// The outlines of a text as closed rings: its capitals are centred on a place, and it runs at `angle` (radians,
 /// counterclockwise on the page); `em` in units of the page.
-pub(super) fn rings(
-    text: &str,
-    em: f64,
-    [x, y]: Point,
-    (h, v): (HPos, VPos),
-    angle: f64,
-) -> Vec<Vec<Point>> {
+pub(super) fn rings(text: &str, em: f64, [x, y]: Point, angle: f64) -> Vec<Vec<Point>> {
     let (letters, length) = shaped(text);
-    let back = match h {
-        HPos::Left => 0.0,
-        HPos::Center => 0.5 * length,
-        HPos::Right => length,
-    };
-    // Capitals hang from, are centred on and, with their descenders, stand on the place.
-    let down = match v {
-        VPos::Top => ASCENT,
-        VPos::Center => 0.5 * CAP_HEIGHT,
-        VPos::Bottom => -DESCENT,
-    };
+    let (back, down) = (0.5 * length, 0.5 * CAP_HEIGHT);
     let (sin, cos) = angle.sin_cos();
     let mut rings: Vec<Vec<Point>> = Vec::new();
     for (id, start) in letters {
@@ -95,10 +79,16 @@ pub(super) fn rings(
     rings
 }
 
-/// The style of a black text for plotters; `size` in points.
-pub(super) fn style(size: f64, h: HPos, v: VPos) -> TextStyle<'static> {
+/// The style of a black text of `size` points, centred above a place.
+pub(super) fn above(size: f64) -> TextStyle<'static> {
     let font = (FAMILY, size * POINT * SIZE_OVER_EM).into_font();
-    TextStyle { color: BLACK.to_backend_color(), font, pos: Pos::new(h, v) }
+    let pos = Pos::new(HPos::Center, VPos::Bottom);
+    TextStyle { color: BLACK.to_backend_color(), font, pos }
+}
+
+/// The style of a black text of `size` points, to the right of a place.
+pub(super) fn beside(size: f64) -> TextStyle<'static> {
+    TextStyle { pos: Pos::new(HPos::Left, VPos::Center), ..above(size) }
 }
 
 /// Things of these widths in as few lines no longer than `length` as can be, about equally long.
@@ -143,9 +133,9 @@ mod tests {
 
     #[test]
     fn letters_have_their_height_and_width() {
-        let rings = rings("H", 1.0, [0.0, -DESCENT], (HPos::Left, VPos::Bottom), 0.0);
+        let rings = rings("H", 1.0, [0.0, 0.0], 0.0);
         let top = rings.iter().flatten().map(|p| -p[1]).fold(0.0, f64::max);
-        assert!((top - 2.0 * DESCENT - CAP_HEIGHT).abs() < 0.01, "{top}");
+        assert!((top - 0.5 * CAP_HEIGHT).abs() < 0.01, "{top}");
         // Digits share one width and no kerning, so that numbers align.
         assert!((width("0000", 10.0) - 4.0 * width("8", 10.0)).abs() < 1e-9);
     }

@@ -176,7 +176,7 @@ fn with_spread(panel: Panel, k: usize, look: usize, curve: &Curve, name: &str) -
     let color = Color::qualitative(look);
     let means = || curve.iter().map(|&(at, mean, _)| (at, mean));
     let bar = |&(at, _, [low, high]): &Point| [(at, low), (at, high), (f64::NAN, f64::NAN)];
-    let markers = Series::markers(means(), Marker::nth(look)).color(color).open();
+    let markers = Series::markers(means(), Marker::nth(look)).color(color).fill(None);
     panel
         .layer(Series::line(means()).color(color))
         .layer(Series::line(curve.iter().flat_map(bar)).color(color).width(0.8))

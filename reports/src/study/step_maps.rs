@@ -51,6 +51,6 @@ pub fn item(text: &PaperText, detail: Detail) -> Result<Item, ReportError> {
         data.extend(map.data_files(&format!("stable_step_{}", integrator.name)));
         maps.push(map);
     }
-    let figure = figure.color_bar(StepMap::color_bar(&maps)?);
+    let figure = figure.color_bar(StepMap::color_bar(&maps));
     Ok(text.figure("stable_step_maps", &[], figure, data))
 }

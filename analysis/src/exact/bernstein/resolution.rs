@@ -81,6 +81,8 @@ fn a_touching_zero_takes_three_boxes_and_two_make_a_cover() {
         signs: vec![signs.into()],
     };
     assert_eq!(cover(&touching, 2), Some(vec![half(0, "+00"), half(1, "00+")]));
+    let lost = form([1, -2, 1]).while_wanted(&Interest::as_long_as(|| false));
+    assert_eq!(cover(&lost, 2), None);
     // Negative at either end: no number of boxes would do.
     assert_eq!([[-1, 2, 1], [1, 2, -1]].map(|one| cover(&form(one), usize::MAX)), [None, None]);
 }

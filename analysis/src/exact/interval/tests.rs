@@ -246,6 +246,35 @@ fn what_members_give_lies_in_what_intervals_give() {
             assert!(inside(x.sqr(), &(&p * &p)) && !x.sqr().lower.is_sign_negative());
         }
     }
+    // The error of this sum of finite floats overflows on the way.
+    let (a, b) = (f64::from_bits(0x7fc0_0000_0000_07ce), f64::MIN);
+    let (sum, truth) = (Interval::point(a) + Interval::point(b), exact(a) + exact(b));
+    assert!(exact(sum.lower) < truth && truth < exact(sum.upper));
+    let ends = [f64::INFINITY, f64::NEG_INFINITY].map(|end| Interval::new(end, end));
+    assert_eq!(ends[0] + ends[1], Interval::WHOLE);
+    let unbounded = Interval::new(4.0, f64::INFINITY);
+    assert_eq!(unbounded.sqrt(), Some(Interval::new(2.0, f64::INFINITY)));
+    let tiny = f64::from_bits(1);
+    assert_eq!(Interval::new(1.0, 2.0) / unbounded, Interval::new(-tiny, 0.5));
+    assert_eq!(unbounded / unbounded, Interval::new(-tiny, f64::INFINITY));
+    assert_eq!(
+        Interval::new(-f64::INFINITY, -8.0) / unbounded,
+        Interval::new(-f64::INFINITY, tiny)
+    );
+    assert_eq!(unbounded * Interval::new(-1.0, 2.0), Interval::WHOLE);
+    assert_eq!(unbounded * -unbounded, Interval::new(-f64::INFINITY, -16.0));
+    assert_eq!(
+        Interval::point(f64::MAX) * Interval::point(2.0),
+        Interval::new(f64::MAX, f64::INFINITY)
+    );
+    assert_eq!(
+        Interval::point(f64::MIN) / Interval::point(0.5),
+        Interval::new(-f64::INFINITY, f64::MIN)
+    );
+    assert_eq!(
+        [0.0, 4.0].map(|value| Interval::point(value).sqrt()),
+        [0.0, 2.0].map(|root| Some(Interval::point(root)))
+    );
     let least = f64::from_bits(1);
     assert_eq!(Interval::new(-1000.0, 1000.0).exp(), Interval { lower: 0.0, upper: f64::INFINITY });
     assert_eq!(Interval::point(-746.5).exp(), Interval { lower: 0.0, upper: least });

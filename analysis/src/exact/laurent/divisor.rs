@@ -77,7 +77,7 @@ pub(crate) fn common_divisor(mut polynomials: Vec<Laurent>) -> Laurent {
     let mut common = Laurent::default();
     for polynomial in &polynomials {
         common = greatest_common_divisor(&common, polynomial);
-        if common.as_constant().is_some_and(|value| value.is_one()) {
+        if common.as_constant().is_some() {
             break;
         }
     }
@@ -166,10 +166,7 @@ fn heuristic_divisor(left: &Laurent, right: &Laurent) -> Option<Laurent> {
         }
         let at = |polynomial: &Laurent| polynomial.at_fraction(variable, &point.clone().into());
         let (a, b) = (at(left), at(right));
-        if !a.is_zero()
-            && !b.is_zero()
-            && let Some(image) = heuristic_divisor(&a, &b)
-        {
+        if let Some(image) = heuristic_divisor(&a, &b) {
             let candidate = digits(image, &point, variable);
             let content = candidate.integer_content();
             let candidate = candidate.divide_exactly(&Laurent::constant(content))?;
@@ -439,5 +436,25 @@ mod tests {
         let product = |other: i64| &long * &(x.clone() - Laurent::integer(other));
         assert_eq!(heuristic_divisor(&product(1), &product(2)), None);
         assert_eq!(greatest_common_divisor(&product(1), &product(2)), long);
+        // At the point that the shorter one suggests, 31, the other may vanish.
+        let line = |root: i64| x.clone() - Laurent::integer(root);
+        let divided = |p: &Laurent, q: &Laurent| heuristic_divisor(p, q).unwrap();
+        assert_eq!(divided(&line(31), &line(-1)), Laurent::integer(1));
+        assert_eq!(divided(&(line(-1) * line(31)), &line(-1)), line(-1));
+    }
+
+    #[test]
+    fn primes_that_divide_a_leading_coefficient_tell_of_no_divisor() {
+        let x = || Laurent::variable(Variable::TIME);
+        let mut primes = PrimeField::descending().map(|field| BigInt::from(field.prime()));
+        let (first, second) = (primes.next().unwrap(), primes.next().unwrap());
+        let steep = |leading: &BigInt| x().scaled(leading) + Laurent::integer(1);
+        let coprime = |p: &Laurent, q: &Laurent| surely_coprime(p, q, Variable::TIME);
+        let line = |root: i64| x() - Laurent::integer(root);
+        // Another prime tells, or none does.
+        assert!(coprime(&steep(&first), &line(2)) && coprime(&line(2), &steep(&first)));
+        let hidden = steep(&(&first * &second));
+        assert!(!coprime(&hidden, &line(2)) && !coprime(&line(2), &hidden));
+        assert!(!coprime(&(&hidden * &line(1)), &(&hidden * &line(2))));
     }
 }

@@ -108,6 +108,18 @@ proptest! {
 }
 
 #[test]
+fn what_is_no_unit_has_no_inverse_and_what_is_not_real_keeps_its_squares() {
+    let (z, e) = (Laurent::variable(Variable::TIME), Laurent::power_of(Variable::axis(0), -2));
+    let unit = -(&z * &e);
+    assert_eq!(&unit * &unit.inverse_monomial().unwrap(), Laurent::integer(1));
+    assert_eq!([unit.scaled(&2.into()), z.clone() + e].map(|p| p.inverse_monomial()), [None, None]);
+    let squared = (z.clone() + Laurent::variable(Variable::axis(0)).scaled(&2.into())).pow(2);
+    assert_eq!(squared.odd_part(), squared);
+    let zero = z.scaled(&0.into());
+    assert!(zero == Laurent::default() && Zero::is_zero(&zero) && !Zero::is_zero(&z));
+}
+
+#[test]
 fn fractions_and_substitutions() {
     let (x, y) = (Laurent::variable(Variable::name(0)), Laurent::variable(Variable::axis(0)));
     let p = x.clone() * x.clone() + x.clone() * y.clone() - Laurent::integer(3);

@@ -3,6 +3,12 @@ use num_bigint::BigUint;
 use proptest::prelude::*;
 
 #[test]
+fn signs_and_denominators_count() {
+    assert_eq!(quotient_to_f64(&1.into(), &BigInt::from(-2)), -0.5);
+    assert!(equal(&ratio(2, 4), &ratio(1, 2)) && !equal(&ratio(1, 2), &ratio(1, 3)));
+}
+
+#[test]
 fn reads_what_people_type() {
     for (text, expected) in [
         ("2", ratio(2, 1)),

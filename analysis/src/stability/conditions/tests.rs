@@ -145,6 +145,23 @@ fn no_condition_is_asked_twice_or_for_nothing() {
 }
 
 #[test]
+fn conditions_that_nobody_wants_are_none_and_undecided() {
+    let step = Step::from_text("u[n+1,j] = C*u[n,j-1] + u[n-1,j]/2 + u[n-2,j+1]/8").unwrap();
+    let chi = step.characteristic().unwrap();
+    let conditions = |times: usize| {
+        let asked = std::sync::atomic::AtomicUsize::new(0);
+        let count = move || asked.fetch_add(1, std::sync::atomic::Ordering::Relaxed) < times;
+        Conditions::while_wanted(&chi, &integer(0), step.names(), &Interest::as_long_as(count))
+    };
+    let all = conditions(usize::MAX).requirements;
+    assert!(all.len() == 3 && all.iter().all(|one| !one.on_circle));
+    for times in 0..5 {
+        let lost = conditions(times);
+        assert!(lost.undecided && !lost.nowhere && lost.requirements.is_empty(), "{times}");
+    }
+}
+
+#[test]
 fn squares_are_taken_out_and_kept() {
     // |g| = 1 + (C − 1)² beside a wave that decays: the last minor contains the square of the difference from 1.
     let two = conditions_of(

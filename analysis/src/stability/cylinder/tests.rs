@@ -174,3 +174,19 @@ fn a_critical_value_is_named_only_where_it_lies() {
     assert_eq!(between(small(50), small(45)), None);
     assert_eq!(between(-small(45), -small(50)), None);
 }
+
+#[test]
+fn critical_values_that_lie_side_by_side_are_told_apart() {
+    // t − 1 at s = 0 and t − 1 − 2^−30 at s = 1.
+    let long = 1i64 << 30;
+    let margin = crate::stability::testing::margin(&[&[-1, -long], &[1, long - 1]], &integer(0));
+    let critical = CriticalPolynomials::new(&margin, usize::MAX).unwrap();
+    let width = ratio(1, 1 << 45);
+    for value in [integer(1), integer(1) + ratio(1, long)] {
+        let number = critical.root_between(&(&value - &width), &(&value + &width)).unwrap();
+        assert_eq!(number.power_as_fraction(), Some(value));
+    }
+    assert!(
+        critical.root_between(&(integer(1) - &width), &(integer(1) + ratio(2, long))).is_none()
+    );
+}

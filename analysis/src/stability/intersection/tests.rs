@@ -91,6 +91,23 @@ fn ranges_and_beginnings_are_those_of_all_conditions() {
     let wide = plan(52);
     assert_eq!(ends(&[neutral()], &wide), [(0.0, infinite, true)]);
     assert_eq!(ends(&[neutral(), forever()], &wide), [(0.0, infinite, true)]);
+    let set = intersection(&[forever()], &wide);
+    assert!(set.evidence == Evidence::Proved && set.intervals[0].from.binding().is_none());
+    // What is known is not asked for.
+    assert_eq!(
+        ends(&[from(1)], &SearchPlan { known: integer(1), ..plan(52) }),
+        [(0.0, infinite, true)]
+    );
+    // (1 − t)(2 − t)(3 − t): what was excluded before is not searched again.
+    let twice = inequality(PlusOne, margin(&[&[6, 1], &[-11], &[6], &[-1]], &integer(0)));
+    let later = inequality(MinusOne, margin(&[&[-3, 3], &[2]], &integer(0)));
+    assert_eq!(ends(&[twice, later], &wide), [(2.0, 3.0, false)]);
+    // 8 + t (1 − 2s)²: one box up to the end, and three from there to infinity.
+    let touching = inequality(PlusOne, margin(&[&[8], &[1, -4, 4]], &integer(0)));
+    for (budget, unbounded) in [(2, false), (3, true)] {
+        let few = SearchPlan { budget, ..plan(52) };
+        assert_eq!(ends(std::slice::from_ref(&touching), &few), [(0.0, infinite, unbounded)]);
+    }
     // Ends beyond the range are none within it, and no promise.
     assert_eq!(ends(&[forever(), till(5)], &wide), [(0.0, infinite, false)]);
     assert_eq!(ends(&[from(1), till(5)], &wide), [(1.0, infinite, false)]);

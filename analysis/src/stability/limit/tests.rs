@@ -10,6 +10,20 @@ fn square_roots_are_recognised_and_enclosed() {
     assert!(limit.upper() <= limit.lower().next_up());
     assert_eq!(Limit::exactly(ExactValue::square_root(ratio(4, 1)), Evidence::Proved).value(), 2.0);
 }
+
+#[test]
+fn limits_are_included_unless_multipliers_meet_there() {
+    let limit = Limit::exactly(ExactValue::Fraction(integer(1)), Evidence::Proved);
+    assert!(limit.is_included() && limit.binding().is_none() && limit.critical_wave().is_none());
+    for on_circle in [false, true] {
+        let (condition, whatever_the_step) = (Condition::PlusOne, false);
+        let binding = Binding { condition, on_circle, whatever_the_step };
+        let bound = limit.clone().bound_by(binding).at_phase(1.0);
+        assert_eq!((bound.is_included(), bound.binding()), (!on_circle, Some(binding)));
+        assert_eq!(bound.critical_wave().unwrap().phases(), [1.0]);
+    }
+}
+
 #[test]
 fn what_is_printed_is_what_the_enclosure_settles() {
     let enclosed = |lower: Rational, width: Rational| {

@@ -76,7 +76,11 @@ fn touching_zero_binds_nothing_and_isolated_points_are_no_interval() {
 #[test]
 fn what_is_positive_for_ever_and_what_is_not_asked() {
     let always = set("u[n+1,j] = u[n,j] + C*u[n,j-1]");
-    assert!(always.intervals[0].to.is_unbounded());
+    assert!(always.intervals[0].to.is_unbounded() && always.at_zero);
+    // Where nothing moves every value is the old one, whatever any step would do; not where the equation stays.
+    let none = set("u[n+1,j] = u[n,j] - C/2*(u[n,j+1] - u[n,j-1])");
+    assert!(none.intervals.is_empty() && none.contains(&integer(0)) && none.limit().is_included());
+    assert!(!set("u[n+1,j] = (1 + C)*u[n,j] - (1 - C)*u[n,j-1]").contains(&integer(0)));
     let implicit = Step::from_text("u[n+1,j] + C*(u[n+1,j] - u[n+1,j-1]) = u[n,j]").unwrap();
     assert!(implicit.monotone_set("C", &SearchPlan::default()).unwrap().is_none());
     assert!(implicit.monotone_set("D", &SearchPlan::default()).is_err());
@@ -198,6 +202,22 @@ proptest! {
         if negative { prop_assert!(!set.contains(&point), "{}", text); }
         if positive { prop_assert!(set.contains(&point), "{}", text); }
     }
+}
+
+#[test]
+fn roots_of_two_coefficients_are_told_apart_however_near() {
+    // √2 and √(2 + 2^−500).
+    let of = |values: Vec<Rational>| Coefficient::new(vec![0], Polynomial::new(values));
+    let plan = SearchPlan::default().up_to(integer(10));
+    let [first, second] = [integer(-2), integer(-2) - power_of_two(-500)]
+        .map(|constant| of(vec![constant, integer(0), integer(1)]));
+    let again = of(vec![integer(-6), integer(-2), integer(3), integer(1)]);
+    let end = |of| Coefficient::roots(of, &plan).pop().map(|root| End { root, of }).unwrap();
+    assert_eq!(end(&first).order(&end(&second)), Ordering::Less);
+    assert_eq!(end(&second).order(&end(&first)), Ordering::Greater);
+    assert_eq!(end(&first).order(&end(&again)), Ordering::Equal);
+    let root = end(&first).root;
+    assert!(root.upper - root.lower < power_of_two(-190));
 }
 
 #[test]

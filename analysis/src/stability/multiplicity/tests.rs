@@ -103,6 +103,10 @@ fn includes_its_limit(text: &str) -> bool {
 fn limits_are_included_where_eigenvectors_suffice() {
     assert!(includes_its_limit("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])"));
     assert!(!includes_its_limit("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])"));
+    // Two levels, one multiplier that leaves through −1: Adams and Bashforth's rule for diffusion.
+    assert!(includes_its_limit(
+        "u[n+1,j] = u[n,j] + C*(3/2*(u[n,j+1] - 2*u[n,j] + u[n,j-1]) - 1/2*(u[n-1,j+1] - 2*u[n-1,j] + u[n-1,j-1]))"
+    ));
     assert!(!includes_its_limit(STAGGERED));
     // Two schemes that do not know of one another have an eigenvector each: both reach the circle at C = 1 and −1.
     let twice =
@@ -150,4 +154,37 @@ fn zeros_of_what_is_not_exact_may_not_be_all() {
     };
     assert_eq!([beside("3"), beside("pi")].map(|found| found.all_waves), [true, false]);
     assert_eq!(beside("pi").wave.phases()[0], std::f64::consts::PI);
+}
+
+#[test]
+fn waves_that_meet_beside_or_within_others_are_found() {
+    let quarter = std::f64::consts::FRAC_PI_2;
+    // Two equal schemes that do no harm, and a leapfrog at its limit.
+    let upwind =
+        |name: &str| format!("{name}[n+1,j] = {name}[n,j] - C/2*({name}[n,j] - {name}[n,j-1])");
+    let leapfrog = "u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1])";
+    let found = at(&format!("{leapfrog}; {}; {}", upwind("v"), upwind("w")), &[("C", "1")]);
+    assert_eq!(found.growing.unwrap().wave.phases(), [quarter]);
+    // (z² − 2az + 1)(z² − 2bz + 1), a = 1 − C s and b = 1 − C (1 − s): pairs that are one at a quarter, at no real multiplier.
+    let square = "(2*u[n-1,j] - u[n-1,j+2] - u[n-1,j-2])/16";
+    let pairs = format!(
+        "u[n+1,j] = 2*(2 - C)*u[n,j] - (6 - 4*C)*u[n-1,j] - 4*C^2*{square} + 2*(2 - C)*u[n-2,j] - u[n-3,j]"
+    );
+    let growing = at(&pairs, &[("C", "1/2")]).growing.unwrap();
+    assert_eq!((growing.wave.phases(), growing.multiplicity), (&[quarter][..], 2));
+    assert!((growing.multiplier.re - 0.75).abs() < 1e-12 && growing.all_waves);
+    // A number in what drives a scheme is in no multiplier.
+    let driven = format!("{}; {} + pi*v[n,j]", upwind("v"), upwind("w"));
+    assert!(at(&driven, &[("C", "2")]).growing.unwrap().all_waves);
+    // Five multipliers: the ends are looked at.
+    let wave = "u[n+1,j] = 2*u[n,j] - u[n-1,j] + C^2*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
+    let other = |name: &str, by: &str| upwind(name).replace("C/2", &format!("C/{by}"));
+    let many = format!("{wave}; {}; {}; {}", upwind("v"), other("w", "3"), other("x", "5"));
+    let found = at(&many, &[("C", "1")]).growing.unwrap();
+    assert_eq!((found.wave.phases(), found.all_waves), (&[std::f64::consts::PI][..], false));
+    // In two dimensions multiples of a quarter in all directions.
+    let oblique =
+        "u[n+1,i,j] = u[n-1,i,j] - C*(u[n,i+1,j] - u[n,i-1,j]) + C*(u[n,i,j+1] - u[n,i,j-1])";
+    let found = at(oblique, &[("C", "1/2")]).growing.unwrap();
+    assert!(!found.all_waves && found.wave.phases()[0] == -found.wave.phases()[1]);
 }

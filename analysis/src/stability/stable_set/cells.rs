@@ -117,6 +117,14 @@ mod tests {
             Search::new(margin, &integer(4), bits).within(budget).critical_polynomials().is_some()
         };
         assert!(there(&sharp, 52, 100) && there(&sharp, 53, usize::MAX));
+        // More is affordable for more digits than an f64 has.
+        let of_degree = |degree: usize| {
+            let mut first: Vec<i64> = (0..degree as i64).map(|k| 3 - k * k % 7).collect();
+            first.push(1);
+            exact(&[&first, &[-1, 2, 5], &[2, 1]])
+        };
+        let costly = (4..).map(of_degree).find(|one| !there(one, 52, usize::MAX)).unwrap();
+        assert!(there(&costly, 53, usize::MAX));
         assert!(!there(&sharp, 51, 100) && !there(&sharp, 52, 99) && !there(&blurred, 52, 100));
     }
 

@@ -272,3 +272,6 @@ pub(crate) fn fraction_or_root(
         }),
     }
 }
+
+#[cfg(test)]
+mod tests;

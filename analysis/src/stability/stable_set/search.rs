@@ -231,7 +231,7 @@ impl<'a> Search<'a> {
         let (mut pieces, mut boxes) = if self.margin.powers() <= 2 {
             (1, most_boxes)
         } else {
-            (MAX_PIECES.min(self.budget), FIRST_BOXES.min(self.budget))
+            (MAX_PIECES.min(self.budget.max(1)), FIRST_BOXES.min(self.budget))
         };
         let mut pending = vec![(from.clone(), to.clone())];
         while let Some((lower, upper)) = pending.pop() {
@@ -305,3 +305,6 @@ fn justified_bits(margin: &Margin) -> u32 {
 pub(super) fn power_of_half(bits: u32) -> Rational {
     power_of_two(-i64::from(bits))
 }
+
+#[cfg(test)]
+mod tests;

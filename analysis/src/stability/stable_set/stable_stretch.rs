@@ -138,16 +138,13 @@ impl Search<'_> {
             match self.is_stable(&lower, &middle) {
                 Ok(()) => lower = middle,
                 Err(Some(found)) => {
-                    upper = found.1.min(middle);
+                    upper = found.1;
                     witness = Some(found.0);
                 }
                 Err(None) => {
                     witness = None;
                     upper = middle;
                 }
-            }
-            if upper <= *from {
-                break;
             }
         }
         match witness {
@@ -207,21 +204,27 @@ mod tests {
 
     /// What is said beyond a touch between two values, after so many others, where upwind with `1 − (1 − C)(2 − C)/4` in place of `C` is
     /// stable: on `[0, 1]` and from 2 to 3.5.
-    fn beyond(range: Rational, touches: usize, lower: Rational, upper: Rational) -> Stretch {
+    fn beyond(
+        range: Rational,
+        touches: usize,
+        lower: Rational,
+        upper: Rational,
+    ) -> (Stretch, usize) {
         let text = "u[n+1,j] = u[n,j] - (1 - (1 - C)*(2 - C)/4)*(u[n,j] - u[n,j-1])";
         let margin = Step::from_text(text).unwrap().gain_margin("C", &integer(0));
         let margin = margin.unwrap().unwrap();
         assert_eq!(margin.stride(), 1);
         let mut search = Search::new(&margin, &range, DEFAULT_BITS);
         search.touches = touches;
-        search.pass_touching_wave(lower, upper)
+        let found = search.pass_touching_wave(lower, upper);
+        (found, search.touches)
     }
 
     #[test]
     fn a_touch_is_passed_only_where_both_sides_are_proved() {
         let open = |lower: Rational, upper: Rational, touches| {
             let found = beyond(integer(3), touches, lower.clone(), upper.clone());
-            matches!(found, Stretch::Undecided(a, b) if (&a, &b) == (&lower, &upper))
+            matches!(found.0, Stretch::Undecided(a, b) if (&a, &b) == (&lower, &upper))
         };
         // Unstable below 2, unstable above 1, nothing to tell from 0, no length, one too many.
         assert!(open(ratio(3, 2), ratio(5, 2), 0) && open(ratio(1, 2), ratio(3, 2), 0));
@@ -229,13 +232,37 @@ mod tests {
         assert!(open(ratio(1, 4), ratio(3, 4), MAX_TOUCHES));
         // Stable on both sides of 1/2: the stretch ends at 1, or beyond the range.
         for touches in [0, MAX_TOUCHES - 1] {
-            let found = beyond(integer(3), touches, ratio(1, 4), ratio(3, 4));
+            let (found, passed) = beyond(integer(3), touches, ratio(1, 4), ratio(3, 4));
+            assert_eq!(passed, touches + 1);
             assert!(
                 matches!(found, Stretch::Ends(edge) if edge.lower <= integer(1) && edge.upper >= integer(1))
             );
         }
-        let found = beyond(ratio(1, 2), 0, ratio(1, 4), ratio(3, 4));
+        let (found, _) = beyond(ratio(1, 2), 0, ratio(1, 4), ratio(3, 4));
         assert!(matches!(found, Stretch::Continues));
+    }
+
+    #[test]
+    fn a_stretch_is_empty_only_where_that_is_proved() {
+        // 1 − t: next to 1, where samples do not tell whether instability has begun.
+        let line = margin(&[&[1], &[-1]], &integer(0));
+        let search = || Search::new(&line, &integer(4), DEFAULT_BITS);
+        let below = integer(1) - ratio(1, 10_000_000_000_000);
+        let Stretch::Ends(edge) = search().stable_stretch(&below) else { panic!() };
+        assert!(edge.lower > below && edge.upper >= integer(1));
+        assert!(matches!(search().stable_stretch(&integer(1)), Stretch::Empty(_)));
+        // From where a wave is unstable there is no stretch at all.
+        let at = |t: i64| Some(Box::new((integer(0), integer(t))));
+        assert!(matches!(search().bisect(&integer(2), at(2)), Stretch::Empty(_)));
+        let Stretch::Ends(edge) = search().bisect(&integer(0), at(3)) else { panic!() };
+        assert!(edge.lower <= integer(1) && edge.upper >= integer(1));
+        assert!(&edge.upper - &edge.lower < ratio(1, 1 << 50));
+        // Within 2^−20 of 3 − t: up to where some data may be unstable, from where all are.
+        let width = ratio(1, 1 << 20);
+        let blurred = margin(&[&[3 << 20], &[-(1 << 20)]], &integer(1));
+        let mut search = Search::new(&blurred, &integer(4), DEFAULT_BITS);
+        let Stretch::Ends(edge) = search.bisect(&integer(0), at(4)) else { panic!() };
+        assert!(edge.lower <= integer(3) - &width && edge.upper >= integer(3) + &width);
     }
 
     #[test]
@@ -244,9 +271,11 @@ mod tests {
         let margin = margin(&[&[2], &[-7], &[5], &[-1]], &integer(1));
         let from = |from: i64, end: i64| {
             let mut search = Search::new(&margin, &integer(end), DEFAULT_BITS);
-            search.certainly_unstable_from(&integer(from), &integer(0))
+            let found = search.certainly_unstable_from(&integer(from), &integer(0));
+            // Once for the roots, and for each what is just above it.
+            (found, search.work.evaluations)
         };
-        assert_eq!([from(0, 4), from(1, 4), from(2, 4)], [(); 3].map(|()| Some(integer(3))));
-        assert_eq!([from(0, 2), from(3, 4)], [None, None]);
+        assert_eq!([from(0, 4), from(1, 4)], [3, 2].map(|asked| (Some(integer(3)), asked)));
+        assert_eq!([from(0, 2), from(3, 4)], [(None, 2), (None, 1)]);
     }
 }

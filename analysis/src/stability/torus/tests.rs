@@ -5,7 +5,7 @@ use crate::exact::real_roots::power_of_two;
 use crate::exact::tensor::{Origin, Tensor};
 use crate::interest::Interest;
 use crate::scheme::catalogue;
-use crate::stability::{Condition, Demands, Evidence, PointVerdict, SearchPlan};
+use crate::stability::{Condition, Demands, Evidence, PointVerdict, SearchPlan, Wave};
 use std::rc::Rc;
 
 #[test]
@@ -224,7 +224,70 @@ fn a_factor_of_the_waves_alone_has_the_sign_that_it_has_for_all_of_them() {
         let one = of(factor.clone());
         assert_eq!(signs(&one), expected, "{factor:?}");
         assert_eq!(one.binding.whatever_the_step, whatever_the_step, "{factor:?}");
+        // What has a sign is taken out.
+        let is_constant = |cell: &Cell| cell.polynomial.degrees()[..2] == [0, 0];
+        let stays = expected.contains(&'?') || whatever_the_step;
+        assert_eq!(one.cells.iter().all(is_constant), !stays, "{factor:?}");
+        assert!(!one.thinned);
     }
+}
+
+#[test]
+fn squares_of_the_parameter_are_taken_out_and_remembered() {
+    let parameter = Variable::name(0);
+    let rest = || Laurent::integer(1) - Laurent::variable(parameter);
+    let of = |polynomial: Laurent, square: Laurent| {
+        let (condition, on_circle) = (Condition::PlusOne, false);
+        let requirement = Requirement { condition, on_circle, polynomial, square };
+        TorusInequality::new(&requirement, 2, Some(parameter), 1, &Interest::default()).unwrap()
+    };
+    let one = || Laurent::integer(1);
+    assert!(!of(rest(), one()).thinned && of(rest(), rest()).thinned);
+    let cubed = of(rest().pow(3), one());
+    assert!(cubed.thinned && cubed.cells.iter().all(|cell| cell.polynomial.degrees()[2] == 1));
+    assert!(of(Laurent::default(), one()).cells.is_empty());
+}
+
+#[test]
+fn phases_have_all_their_digits_next_to_both_ends() {
+    use std::f64::consts::PI;
+    let small = power_of_two(-80);
+    for turn in 0..4u8 {
+        for x in [integer(0), ratio(1, 4), ratio(3, 4), integer(1)] {
+            let phase = Turn::Quarter(turn).phase(&x);
+            // tan(θ/2) = x beyond the turn.
+            let expected =
+                f64::from(turn) * 0.5 * PI + 2.0 * crate::exact::rational::to_f64(&x).atan();
+            let apart = (phase - expected) / (2.0 * PI);
+            assert!(
+                (apart - apart.round()).abs() < 1e-15 && phase > -PI && phase <= PI,
+                "{turn} {x}"
+            );
+        }
+    }
+    let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-15;
+    let tiny = 0.5f64.powi(80);
+    assert!(near(Turn::Quarter(0).phase(&small), 2.0 * tiny));
+    assert!(near(Turn::Quarter(3).phase(&(integer(1) - &small)), -tiny));
+    // sin²(φ/2) = x
+    assert!(near(Turn::Half.phase(&small), 2.0 * tiny.sqrt()));
+    let short = PI - Turn::Half.phase(&(integer(1) - &power_of_two(-20)));
+    assert!((short - 2.0 * 0.5f64.powi(10).asin()).abs() < 1e-15);
+    assert!((PI - Turn::Half.phase(&(integer(1) - small)) - 2.0 * tiny.sqrt()).abs() < 1e-15);
+    // Long waves have the direction in which a chart sees them.
+    let cell = |origin: Origin| Cell {
+        turns: vec![Turn::Quarter(0), Turn::Quarter(0)].into(),
+        origin: Rc::new(origin),
+        polynomial: Tensor::new(vec![0, 0, 0], [([0, 0, 0], 1)]),
+    };
+    let chart = Origin::Chart { of: Rc::new(Origin::Whole), axes: vec![0, 1], leader: 0 };
+    let long = cell(chart).wave(&[integer(0), ratio(3, 4)]);
+    assert_eq!(long.phases(), [0.0, 0.0]);
+    let toward = long.direction();
+    assert!((toward[0] - 0.8).abs() < 1e-12 && (toward[1] - 0.6).abs() < 1e-12, "{toward:?}");
+    let short = cell(Origin::Whole).wave(&[integer(0), integer(1)]);
+    assert_eq!((short.phases(), short.direction()), (&[0.0, 0.5 * PI][..], &[0.0, 1.0][..]));
+    assert_eq!(Wave::long(&[3.0, -4.0, 1e-15]).direction(), [0.6, -0.8, 0.0]);
 }
 
 #[test]

@@ -287,3 +287,18 @@ fn strict_demands_hold_nearby_whatever_the_search_leaves_open() {
     assert_eq!(["0.9", "1", "1.2"].map(verdict), [stable, marginal, stable]);
     assert!(stable.is_stable() && marginal.is_stable() && !Verdict::Undecided.is_stable());
 }
+
+#[test]
+fn the_wave_named_is_the_one_that_grows_or_else_the_one_that_binds() {
+    let diffusion = "u[n+1,j] = u[n,j] + C*(u[n,j+1] - 2*u[n,j] + u[n,j-1])";
+    for value in ["1/4", "3/4"] {
+        let wave = text(diffusion, value).critical_wave().unwrap();
+        assert!((wave.phases()[0] - std::f64::consts::PI).abs() < 1e-9, "{value}");
+    }
+    // Outside whatever C is, but for 0.
+    let nowhere = "u[n+1,j] = u[n-3,j] + C*(u[n,j+1] + u[n,j-1])";
+    assert_eq!(
+        ["0", "1/2"].map(|value| text(nowhere, value).verdict),
+        [Verdict::Marginal, Verdict::Unstable]
+    );
+}

@@ -55,7 +55,7 @@ fn figure_5(
         .size(8.2, 3.9)
         .panel(published.panel("(a) GPH as printed, (64)")?)
         .panel(resolved.panel("(b) GPH resolved: left and right by position")?)
-        .color_bar(resolved.color_bar(&[published])?);
+        .color_bar(resolved.color_bar(&[published]));
     let mut data = published.data_files("figure_05a");
     data.extend(resolved.data_files("figure_05b"));
     Ok(text().figure("figure_05", settings, figure, data))

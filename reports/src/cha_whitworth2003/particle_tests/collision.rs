@@ -53,7 +53,7 @@ pub(super) fn figure(runs: &Runs) -> Item {
                 panel = panel.layer(
                     Series::markers(points, marker)
                         .color(color)
-                        .open()
+                        .fill(None)
                         .size(2.8)
                         .width(0.6)
                         .label(label),

@@ -38,7 +38,7 @@ fn figure(runs: &Runs, number: usize, method: ParticleMethod) -> Item {
             panel = panel.layer(
                 Series::markers(points, marker)
                     .color(color)
-                    .open()
+                    .fill(None)
                     .size(2.3)
                     .width(0.6)
                     .label(format!("particles, t = {}", run.time)),

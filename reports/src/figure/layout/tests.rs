@@ -1,17 +1,25 @@
 use super::*;
-use crate::figure::{Axis, Bands, Field, FilledContours, Isolines, Marker, Note, Series};
+use crate::figure::{Axis, Bands, Contours, Marker, Series};
+use crate::level_set::Field;
 use ndarray::Array2;
+use resvg::usvg::{Group, Node, Tree};
+use std::io::Cursor;
 
-fn map(n: usize, f: fn(f64, f64) -> f64, colors: Vec<Color>) -> (Panel, ColorBar) {
+fn map(n: usize, f: fn(f64, f64) -> f64, colors: &[Color]) -> (Contours, ColorBar) {
     let nodes: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
     let values = Array2::from_shape_fn((n, n), |(i, j)| f(nodes[i], nodes[j]));
+    let last = (colors.len() - 1) as f64;
+    let edges = (0..=colors.len()).map(|k| k as f64 / (last + 1.0)).collect();
+    let bands = Bands::new(edges, |t| colors[(t * last).round() as usize]);
     let field = Field::new(nodes.clone(), nodes, values).unwrap();
-    let count = colors.len() as f64;
-    let bands = Bands::new((0..=colors.len()).map(|k| k as f64 / count).collect(), colors).unwrap();
-    let panel = Panel::new(Axis::linear("x [m] <&\">"), Axis::linear("y [m]"))
-        .layer(FilledContours::new(field.clone(), bands.clone()))
-        .layer(Isolines::new(field, [0.2, 0.5, 0.75]));
-    (panel, ColorBar::new(bands, "value"))
+    (Contours::new(field).bands(bands.clone()), ColorBar::new(bands, "value"))
+}
+
+/// A map with isolines.
+fn labelled(n: usize, colors: &[Color]) -> (Panel, ColorBar) {
+    let (contours, bar) = map(n, hills, colors);
+    let panel = Panel::new(Axis::linear("x [m] <&\">"), Axis::linear("y [m]"));
+    (panel.contours(contours.isolines([0.2, 0.5, 0.75])), bar)
 }
 
 fn hills(x: f64, y: f64) -> f64 {
@@ -25,9 +33,9 @@ fn rich() -> Figure {
         .layer(Series::line([(0.01, 1e-9), (0.1, f64::NAN), (1.0, 1.0)]).label("run"))
         .layers((0..6).map(|k| Series::markers([(0.1, 0.1)], Marker::nth(k)).label("run")))
         .layer(Series::vertical(0.5).label("limit"))
-        .layer(Note::new(0.05, 1e-5, "φ = π"));
-    let four = vec![Color::BLUE, Color::SKY, Color::ORANGE, Color::VERMILION];
-    let (panel, bar) = map(40, hills, four);
+        .note(0.05, 1e-5, "φ = π");
+    let four = [Color::BLUE, Color::SKY, Color::ORANGE, Color::VERMILION];
+    let (panel, bar) = labelled(40, &four);
     Figure::grid(1, 2)
         .size(7.0, 3.2)
         .title("A title that is so long that it takes more than a single line where the page is narrow as here")
@@ -49,18 +57,17 @@ fn svg_states_its_size_and_keeps_the_text() {
     assert!(svg.contains("x [m] &lt;&amp;&quot;&gt;"));
     assert!(svg.contains("width=\"7in\" height=\"3.2in\" viewBox=\"0 0 10080 4608\""));
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
-    let colors = (0..10).map(|k| Color(25 * k, 100, 200)).collect();
-    let large = Figure::single(map(400, hills, colors).0).svg().unwrap();
+    let colors: Vec<Color> = (0..10).map(|k| Color(25 * k, 100, 200)).collect();
+    let large = Figure::single(labelled(400, &colors).0).svg().unwrap();
     assert!(large.len() < 200_000, "{}", large.len());
 }
 
 /// The pixels of a figure of one map over the unit square, row by row.
-fn pixels(f: fn(f64, f64) -> f64, colors: Vec<Color>) -> Vec<Vec<[u8; 3]>> {
-    let (mut panel, _) = map(50, f, colors);
-    panel.layers.truncate(1);
+fn pixels(f: fn(f64, f64) -> f64, colors: &[Color]) -> Vec<Vec<[u8; 3]>> {
+    let panel = Panel::new(Axis::linear("x"), Axis::linear("y")).contours(map(50, f, colors).0);
     let bytes = Figure::single(panel).size(2.0, 2.0).png().unwrap();
-    let mut reader = png::Decoder::new(bytes.as_slice()).read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size()];
+    let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     reader.next_frame(&mut pixels).unwrap();
     let colors: Vec<[u8; 3]> = pixels.chunks(3).map(|p| [p[0], p[1], p[2]]).collect();
     colors.chunks(600).map(<[_]>::to_vec).collect()
@@ -69,7 +76,7 @@ fn pixels(f: fn(f64, f64) -> f64, colors: Vec<Color>) -> Vec<Vec<[u8; 3]>> {
 #[test]
 fn bands_leave_no_seam_and_what_is_below_them_stays_blank() {
     // With all bands in one colour the plot is even.
-    let rows = pixels(|x, y| (x * y).sqrt(), vec![Color::GREEN; 12]);
+    let rows = pixels(|x, y| (x * y).sqrt(), &[Color::GREEN; 12]);
     let green = |p: &[u8; 3]| *p == [0, 158, 115];
     let rows: Vec<_> =
         rows.iter().filter(|row| row.iter().filter(|p| green(p)).count() > 100).collect();
@@ -81,42 +88,24 @@ fn bands_leave_no_seam_and_what_is_below_them_stays_blank() {
     }
     // 3x - 1 is at least 0 on two thirds of the plot.
     let blue = |f| {
-        let rows = pixels(f, vec![Color::BLUE]);
+        let rows = pixels(f, &[Color::BLUE]);
         rows.iter().flatten().filter(|p| **p == [0, 114, 178]).count() as f64
     };
     assert!((blue(|x, _| 3.0 * x - 1.0) / blue(|x, _| x) - 2.0 / 3.0).abs() < 0.01);
 }
 
-/// The boxes of the texts of an SVG, as the font sets them.
-fn boxes(svg: &str) -> Vec<(String, Rect)> {
-    let text = |element: &str| {
-        let (attributes, letters) = element.split_once('>')?;
-        let value = |name: &str| {
-            let from = attributes.split_once(&format!(" {name}=\"")).expect("it is there").1;
-            from.split_once('"').expect("it ends").0
-        };
-        let number = |name: &str| value(name).parse::<f64>().expect("a number");
-        let (x, y, size) = (number("x"), number("y"), number("font-size"));
-        let letters = letters.trim();
-        let (wide, high) = (text::width(letters, size / POINT), text::CAP_HEIGHT * size);
-        let back = match value("text-anchor") {
-            "start" => 0.0,
-            "middle" => 0.5 * wide,
-            _ => wide,
-        };
-        let drop = match value("dy") {
-            "0.76em" => 0.76 * size,
-            "0.5ex" => 0.5 * 0.547 * size,
-            _ => -0.5 * 0.547 * size,
-        };
-        let rect = match attributes.contains("rotate(270") {
-            false => [x - back, y + drop - high, x - back + wide, y + drop],
-            true => [x + drop - high, y + back - wide, x + drop, y + back],
-        };
-        let [left, top, right, bottom] = rect;
-        (wide > 0.0).then(|| (letters.to_string(), Rect { left, top, right, bottom }))
+/// The texts of a picture and the boxes of their letters, as resvg sets them.
+fn boxes(group: &Group) -> Vec<(String, [f32; 4])> {
+    let of_node = |node: &Node| match node {
+        Node::Group(group) => boxes(group),
+        Node::Text(text) => {
+            let letters = text.chunks().iter().map(|chunk| chunk.text()).collect();
+            let area = text.flattened().abs_bounding_box();
+            vec![(letters, [area.left(), area.top(), area.right(), area.bottom()])]
+        }
+        _ => Vec::new(),
     };
-    svg.split("<text").skip(1).filter_map(|e| text(e.split("</text>").next()?)).collect()
+    group.children().iter().flat_map(of_node).collect()
 }
 
 #[test]
@@ -125,18 +114,17 @@ fn all_text_is_on_the_page_and_does_not_touch() {
     for figure in [
         rich(),
         rich().size(5.0, 3.0),
-        Figure::single(map(10, hills, vec![Color::SKY; 3]).0).size(2.4, 2.0),
+        Figure::single(labelled(10, &[Color::SKY; 3]).0).size(2.4, 2.0),
         Figure::single(Panel::new(x, Axis::linear(""))),
     ] {
-        let (width, height) = figure.units();
-        let page = Rect { left: 0.0, top: 0.0, right: width.into(), bottom: height.into() };
-        let boxes = boxes(&figure.svg().unwrap());
+        let picture = Tree::from_str(&figure.svg().unwrap(), &raster::OPTIONS).unwrap();
+        let [width, height] = [picture.size().width(), picture.size().height()];
+        let boxes = boxes(picture.root());
         assert!(boxes.len() > 8);
         for (k, (text, a)) in boxes.iter().enumerate() {
-            assert!(page.contains([a.left, a.top]) && page.contains([a.right, a.bottom]), "{text}");
+            assert!(a[0] >= 0.0 && a[1] >= 0.0 && a[2] <= width && a[3] <= height, "{text} {a:?}");
             for (other, b) in &boxes[..k] {
-                let beside = b.right <= a.left || a.right <= b.left;
-                let apart = beside || b.bottom <= a.top || a.bottom <= b.top;
+                let apart = b[2] <= a[0] || a[2] <= b[0] || b[3] <= a[1] || a[3] <= b[1];
                 assert!(apart, "{text} {a:?} touches {other} {b:?}");
             }
         }

@@ -1,0 +1,41 @@
+use super::*;
+use crate::exact::rational::ratio;
+use crate::stability::testing::margin;
+
+/// `(3s − 1)² + (t − 1)²` touches zero at a wave at which no box has a corner.
+fn touching() -> Margin {
+    margin(&[&[2, -6, 9], &[-2], &[1]], &integer(0))
+}
+
+#[test]
+fn widths_grow_by_a_sixteenth_and_are_not_wider_than_the_last() {
+    let margin = touching();
+    let widths = |bits| Search::new(&margin, &integer(4), bits).widths().collect::<Vec<u32>>();
+    assert_eq!(widths(52), [52, 49, 46, 43, 40, 37, 34, 31, 28, 25, 22]);
+    assert_eq!((widths(8), &widths(100)[..5]), (vec![8], &[100, 94, 89, 84, 79][..]));
+}
+
+#[test]
+fn what_stays_open_at_a_touch_is_stepped_over() {
+    let margin = touching();
+    let (max, bits) = (integer(4), 40);
+    let set = Search::new(&margin, &max, bits).run(&max, Evidence::Proved);
+    let [before] = &set.intervals[..] else { panic!("{set:?}") };
+    // Looked at beyond as well, until so many boxes are more than a search may take.
+    let [touch, rest] = set.undecided[..] else { panic!("{set:?}") };
+    assert!(touch.0 < 1.0 && touch.1 >= 1.0 && touch.1 - touch.0 < 1e-11, "{set:?}");
+    assert!(touch.1 <= rest.0 && rest.1 == 4.0 && set.work.boxes > MOST_BOXES_IN_ALL, "{set:?}");
+    assert_eq!((before.from.value(), before.to.evidence()), (0.0, Evidence::Undecided));
+    // Nothing open is left where cells may be asked, and without work nothing is known.
+    let all = Search::new(&margin, &max, DEFAULT_BITS).run(&max, Evidence::Proved);
+    assert!(all.undecided.is_empty() && all.intervals.len() == 1, "{all:?}");
+    let none = Search::new(&margin, &max, bits).within(0).run(&max, Evidence::Proved);
+    assert!(none.intervals.is_empty() && none.undecided == [(0.0, 4.0)], "{none:?}");
+    // Up to the touch as far as it is known.
+    let known = Search::new(&margin, &max, bits).within(0).knowing(&ratio(1, 2));
+    let known = known.run(&max, Evidence::Proved);
+    assert_eq!(known.limit().lower(), 0.5);
+    let open = &known.undecided;
+    assert!(open[0].0 == 0.5 && open.last().unwrap().1 == 4.0, "{open:?}");
+    assert!(open.windows(2).all(|pair| pair[0].1 == pair[1].0), "{open:?}");
+}
