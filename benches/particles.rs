@@ -82,7 +82,7 @@ fn system<const D: usize, G: Gas>(
     gas: G,
     kernel: Kernel,
     eta: f64,
-    force: &impl PairForce,
+    force: &dyn PairForce,
 ) -> ParticleSystem<D, G> {
     let side = [90_000_usize, 224, 37][D - 1];
     let count = side.pow(D as u32);
@@ -110,7 +110,7 @@ fn measure<const D: usize, G: Gas>(
     name: &str,
     gas: G,
     kernel: Kernel,
-    force: &impl PairForce,
+    force: &dyn PairLoops<D>,
 ) {
     let eta = match (D, kernel) {
         (_, Kernel::Gaussian) => 1.05,

@@ -10,10 +10,9 @@ use courant_analysis::kernel::Kernel;
 use courant_analysis::scheme::{Integrator, LatticeMethod, SchemeError};
 use courant_analysis::waves::multipliers::CompiledStep;
 use courant_simulation::particles::{
-    ActsOn, Amplification, Godunov, IsothermalGas, NotExplicit, Nystrom, OwnKernels, PairForce,
-    ParticleMethod, PressureForm, Product, Ring, Smoothed, SumOfSquares, Viscosity, table,
+    ActsOn, Amplification, IsothermalGas, MethodOptions, NotExplicit, Nystrom, PairLoops,
+    ParticleMethod, Ring, SmoothingKernel, SolverChoice, Viscosity, table,
 };
-use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
 use courant_simulation::run::Reason;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -169,92 +168,12 @@ pub fn pair_error(predicted: [Complex64; 2], measured: [Complex64; 2]) -> ([Comp
     (pair, error * (error.max(split) / CLOSE).min(1.0))
 }
 
-/// Something to do with the pair force of a running method.
-trait ForceVisitor {
-    type Output;
-    fn visit<F: PairForce>(self, force: &F) -> Self::Output;
-}
-
-fn with_force<V: ForceVisitor>(
-    code: ParticleMethod,
-    method: &LatticeMethod,
-    visitor: V,
-) -> V::Output {
-    let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
-    // What the linear analysis has: both directions, no quadratic term, no softening.
+/// The pair force of a running method, as the linear analysis has it: both directions, no quadratic term, no softening.
+fn force(ring: &Ring, code: ParticleMethod, method: &LatticeMethod) -> Box<dyn PairLoops<1>> {
     let alpha = method.value("alpha").map_or(0.0, to_f64);
     let viscosity = Viscosity { alpha, beta: 0.0, acts_on: ActsOn::All, softening: 0.0 };
-    match code {
-        ParticleMethod::Gph2 => visitor.visit(&Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => visitor.visit(&Godunov { weight: OwnKernels, solver }),
-        ParticleMethod::Sph1 | ParticleMethod::Adke => {
-            visitor.visit(&Smoothed { form: PressureForm::Sum, viscosity })
-        }
-        ParticleMethod::Sph2 => {
-            visitor.visit(&Smoothed { form: PressureForm::Geometric, viscosity })
-        }
-        // Case 4 is not among the codes that are compared.
-        ParticleMethod::Gph1 | ParticleMethod::Gph4 => {
-            visitor.visit(&Godunov { weight: SumOfSquares, solver })
-        }
-    }
-}
-
-struct Linearise<'a> {
-    ring: &'a Ring,
-    table: &'a Nystrom<f64>,
-    step: f64,
-    mode: usize,
-    size: f64,
-}
-
-impl ForceVisitor for Linearise<'_> {
-    type Output = Result<Amplification, Reason>;
-    fn visit<F: PairForce>(self, force: &F) -> Self::Output {
-        let Self { ring, table, step, mode, size } = self;
-        let at = |size| ring.amplification(force, table, step, mode, size);
-        // 2A(s) − A(2s) has no error of first order in s.
-        let (fine, coarse) = (at(size)?, at(2.0 * size)?);
-        Ok([0, 1].map(|row| [0, 1].map(|column| 2.0 * fine[row][column] - coarse[row][column])))
-    }
-}
-
-struct Follow<'a> {
-    ring: &'a Ring,
-    table: &'a Nystrom<f64>,
-    step: f64,
-    mode: usize,
-    steps: usize,
-    /// `V/X` of the wave that is started.
-    velocity: Complex64,
-}
-
-impl ForceVisitor for Follow<'_> {
-    /// `ln z`, the mean over the steps, its imaginary part followed through every turn.
-    type Output = Result<Complex64, Reason>;
-    fn visit<F: PairForce>(self, force: &F) -> Self::Output {
-        let Self { ring, table, step, mode, steps, velocity } = self;
-        let count = ring.particles;
-        let angle = |j: usize| TAU * ((mode * j) % count) as f64 / count as f64;
-        let lattice = ring.lattice();
-        let amplitude = 0.1 * size(1.0);
-        let mut x: Vec<f64> = (0..count).map(|j| lattice[j] + amplitude * angle(j).cos()).collect();
-        let mut v: Vec<f64> =
-            (0..count).map(|j| amplitude * (velocity * Complex64::cis(angle(j))).re).collect();
-        let wave = |x: &[f64]| -> Complex64 {
-            (0..count).map(|j| (x[j] - lattice[j]) * Complex64::cis(-angle(j))).sum()
-        };
-        let start = wave(&x);
-        let (mut last, mut turned) = (start, 0.0);
-        for _ in 0..steps {
-            (x, v) = ring.step(force, table, step, &x, &v)?;
-            let now = wave(&x);
-            turned += (now / last).arg();
-            last = now;
-        }
-        let growth = (last.norm() / start.norm()).ln();
-        Ok(Complex64::new(growth, turned) / steps as f64)
-    }
+    let solver = SolverChoice::Exact;
+    ring.force(&MethodOptions { viscosity, solver, ..MethodOptions::new(code) })
 }
 
 impl ParticleCase {
@@ -270,11 +189,6 @@ impl ParticleCase {
         )
     }
 
-    /// `c Δt/Δ`.
-    fn step(&self) -> f64 {
-        self.courant * to_f64(self.method.ratio())
-    }
-
     fn prepare(&self) -> Result<Prepared, ParticleValidationError> {
         let (kernel, exact, particles) =
             (self.method.kernel(), self.method.ratio(), self.particles);
@@ -287,11 +201,13 @@ impl ParticleCase {
         if particles < least {
             return Err(ParticleValidationError::ShortRing { particles, least });
         }
-        let gas = IsothermalGas { sound_speed: 1.0 };
+        let (gas, smoothing) = (IsothermalGas { sound_speed: 1.0 }, ratio);
+        let kernel = SmoothingKernel::new(kernel);
         Ok(Prepared {
             predicted: self.method.step(self.integrator)?.compile()?,
             table: table(self.integrator)?,
-            ring: Ring { particles, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: ratio },
+            step: self.courant * ratio,
+            ring: Ring { particles, spacing: 1.0, mass: 1.0, gas, kernel, smoothing },
         })
     }
 
@@ -311,6 +227,52 @@ struct Prepared {
     predicted: CompiledStep,
     table: Nystrom<f64>,
     ring: Ring,
+    /// `c Δt/Δ`.
+    step: f64,
+}
+
+impl Prepared {
+    /// The matrix of a mode: `2A(s) − A(2s)` has no error of first order in the size `s`.
+    fn linearise(
+        &self,
+        force: &dyn PairLoops<1>,
+        mode: usize,
+        size: f64,
+    ) -> Result<Amplification, Reason> {
+        let at = |size| self.ring.amplification(force, &self.table, self.step, mode, size);
+        let (fine, coarse) = (at(size)?, at(2.0 * size)?);
+        Ok([0, 1].map(|row| [0, 1].map(|column| 2.0 * fine[row][column] - coarse[row][column])))
+    }
+
+    /// `ln z` of a wave started with `V/X = velocity`, the mean over the steps, its imaginary part followed through every turn.
+    fn follow(
+        &self,
+        force: &dyn PairLoops<1>,
+        mode: usize,
+        steps: usize,
+        velocity: Complex64,
+    ) -> Result<Complex64, Reason> {
+        let count = self.ring.particles;
+        let angle = |j: usize| TAU * ((mode * j) % count) as f64 / count as f64;
+        let lattice = self.ring.lattice();
+        let amplitude = 0.1 * size(1.0);
+        let mut x: Vec<f64> = (0..count).map(|j| lattice[j] + amplitude * angle(j).cos()).collect();
+        let mut v: Vec<f64> =
+            (0..count).map(|j| amplitude * (velocity * Complex64::cis(angle(j))).re).collect();
+        let wave = |x: &[f64]| -> Complex64 {
+            (0..count).map(|j| (x[j] - lattice[j]) * Complex64::cis(-angle(j))).sum()
+        };
+        let start = wave(&x);
+        let (mut last, mut turned) = (start, 0.0);
+        for _ in 0..steps {
+            (x, v) = self.ring.step(force, &self.table, self.step, &x, &v)?;
+            let now = wave(&x);
+            turned += (now / last).arg();
+            last = now;
+        }
+        let growth = (last.norm() / start.norm()).ln();
+        Ok(Complex64::new(growth, turned) / steps as f64)
+    }
 }
 
 /// Compares the step of every running method with the relation, for all modes up to the shortest wave.
@@ -336,17 +298,15 @@ struct Prepared {
 pub fn validate_particles(
     case: &ParticleCase,
 ) -> Result<Vec<ParticleModeRow>, ParticleValidationError> {
-    let Prepared { predicted: compiled, table, ring } = case.prepare()?;
-    let step = case.step();
+    let running = case.prepare()?;
     let mut rows = Vec::new();
     for &code in codes(&case.method) {
+        let force = force(&running.ring, code, &case.method);
         for mode in 1..=case.particles / 2 {
             let phase = case.phase(mode);
-            let predicted = case.predicted(&compiled, mode);
-            let size = size(gain(predicted));
-            let linearise = Linearise { ring: &ring, table: &table, step, mode, size };
-            let matrix =
-                with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
+            let predicted = case.predicted(&running.predicted, mode);
+            let matrix = running.linearise(&*force, mode, size(gain(predicted)));
+            let matrix = matrix.map_err(ParticleValidationError::Step)?;
             let (measured, error) = pair_error(predicted, factors(matrix));
             rows.push(ParticleModeRow { code, mode, phase, predicted, measured, error });
         }
@@ -367,26 +327,23 @@ pub fn follow_wave(
     mode: usize,
     steps: usize,
 ) -> Result<FollowedWave, ParticleValidationError> {
-    let Prepared { predicted, table, ring } = case.prepare()?;
-    let (phase, step) = (case.phase(mode), case.step());
-    let expected = case.predicted(&predicted, mode);
+    let running = case.prepare()?;
+    let force = force(&running.ring, code, &case.method);
+    let expected = case.predicted(&running.predicted, mode);
     // The eigenvector of the running step: what is measured owes the relation nothing but the choice of the wave.
-    let size = size(gain(expected));
-    let linearise = Linearise { ring: &ring, table: &table, step, mode, size };
-    let matrix =
-        with_force(code, &case.method, linearise).map_err(ParticleValidationError::Step)?;
+    let matrix = running.linearise(&*force, mode, size(gain(expected)));
+    let matrix = matrix.map_err(ParticleValidationError::Step)?;
     let ([started, _], _) = pair_error(expected, factors(matrix));
     let [[a, b], _] = matrix;
     let velocity = (started - a) / b;
-    let follow = Follow { ring: &ring, table: &table, step, mode, steps, velocity };
-    let logarithm =
-        with_force(code, &case.method, follow).map_err(ParticleValidationError::Step)?;
+    let logarithm = running.follow(&*force, mode, steps, velocity);
+    let logarithm = logarithm.map_err(ParticleValidationError::Step)?;
     // z = e^{−iωΔt}.
-    let frequency = |logarithm: Complex64| Complex64::I * logarithm / step;
+    let frequency = |logarithm: Complex64| Complex64::I * logarithm / running.step;
     Ok(FollowedWave {
         code,
         mode,
-        phase,
+        phase: case.phase(mode),
         predicted: frequency(expected[0].ln()),
         measured: frequency(logarithm),
         steps,

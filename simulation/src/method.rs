@@ -1,7 +1,7 @@
 //! The methods by name, and the one way to run a scene with any of them.
 
 use crate::finite_volume::{FiniteVolumeOptions, Grid};
-use crate::lagrangian::flux::{Exact, Flux, LagrangianFlux, ModifiedRoe, Rusanov};
+use crate::lagrangian::flux::{Flux, ModifiedRoe};
 use crate::lagrangian::{LagrangianOptions, LagrangianScheme};
 use crate::march::Limits;
 use crate::particles::{self, MethodOptions, ParticleMethod};
@@ -220,11 +220,11 @@ impl Method {
                 max_steps: options.max_steps,
             },
             Self::Particles(options) => particles::start(scene, particles, options)?,
-            Self::Lagrangian(options) => match options.flux {
-                Flux::Exact => lagrangian(scene, particles, options, Exact)?,
-                Flux::Rusanov => lagrangian(scene, particles, options, Rusanov)?,
-                Flux::ModifiedRoe(roe) => lagrangian(scene, particles, options, roe)?,
-            },
+            Self::Lagrangian(options) => {
+                let scheme = LagrangianScheme::new(scene, particles, options)?;
+                let (waiting, max_steps) = (scheme.waiting(), options.max_steps);
+                Start { evolution: Box::new(scheme), waiting, max_steps }
+            }
         };
         Limits { steps: start.max_steps }.check(&mut *start.evolution, scene.end_time)?;
         Ok(start)
@@ -247,16 +247,4 @@ impl Method {
             )
         })
     }
-}
-
-/// One instance of the loop per flux, so that the flux is inlined.
-fn lagrangian(
-    scene: &Scene,
-    particles: usize,
-    options: &LagrangianOptions,
-    flux: impl LagrangianFlux + Send + 'static,
-) -> Result<Start, InvalidOptions> {
-    let scheme = LagrangianScheme::new(scene, particles, options, flux)?;
-    let (waiting, max_steps) = (scheme.waiting(), options.max_steps);
-    Ok(Start { evolution: Box::new(scheme), waiting, max_steps })
 }

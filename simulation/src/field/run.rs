@@ -6,8 +6,8 @@ use super::shear_viscosity::shear_response;
 use crate::boundary::Boundary;
 use crate::march::{Limits, march};
 use crate::particles::{
-    Domain, Gas, MethodOptions, PairForce, ParticleEvolution, ParticleSystem, Particles, Smoothing,
-    SmoothingKernel, Task, ThermalState, dispatch, table,
+    Domain, Gas, MethodOptions, PairForce, PairLoops, ParticleEvolution, ParticleSystem, Particles,
+    Smoothing, SmoothingKernel, Task, ThermalState, dispatch, table,
 };
 use crate::run::{Conservation, Flowing, InvalidOptions, Penetration, Run};
 use crate::scene::Material;
@@ -138,12 +138,12 @@ struct Plan<'a, const D: usize> {
     observe: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
 }
 
-impl<const D: usize> Task for Plan<'_, D> {
+impl<const D: usize> Task<D> for Plan<'_, D> {
     type Output = Result<FieldRun, InvalidOptions>;
 
-    fn run<G: Gas, F: PairForce>(self, gas: G, force: F) -> Self::Output {
+    fn run<G: Gas>(self, gas: G, force: Box<dyn PairLoops<D>>) -> Self::Output {
         let Self { scene, particles, options, observe } = self;
-        let mut system = prepare::<D, G, F>(scene, particles, options, gas, &force);
+        let mut system = prepare::<D, G>(scene, particles, options, gas, &*force);
         // A failure shows up again at the first step.
         let _ = system.update_fields();
         let initial = profile(&system);
@@ -179,12 +179,12 @@ impl<const D: usize> Task for Plan<'_, D> {
 }
 
 /// The particles of a scene at the start.
-pub(super) fn prepare<const D: usize, G: Gas, F: PairForce>(
+pub(super) fn prepare<const D: usize, G: Gas>(
     scene: &FieldScene,
     particles: usize,
     options: &MethodOptions,
     gas: G,
-    force: &F,
+    force: &dyn PairForce,
 ) -> ParticleSystem<D, G> {
     let (lower, filling) =
         scene.fill::<D>(particles).expect("the dimension is that of the scene and its lattice");

@@ -76,14 +76,14 @@ fn pressure_holds_the_vortex() {
 /// Accelerations of the running code in a shear of small amplitude.
 struct Probe<'a>(&'a FieldScene, &'a MethodOptions);
 
-impl Task for Probe<'_> {
+impl Task<2> for Probe<'_> {
     /// Positions across, and accelerations.
     type Output = Vec<(f64, [f64; 2])>;
 
-    fn run<G: Gas, F: PairForce>(self, gas: G, force: F) -> Self::Output {
-        let mut system = prepare::<2, G, F>(self.0, 400, self.1, gas, &force);
+    fn run<G: Gas>(self, gas: G, force: Box<dyn PairLoops<2>>) -> Self::Output {
+        let mut system = prepare::<2, G>(self.0, 400, self.1, gas, &*force);
         let mut rates = Rates::default();
-        system.rates(&force, &mut rates).expect("a physical state");
+        system.rates(&*force, &mut rates).expect("a physical state");
         let x = system.particles.position.iter().map(|x| x[0]);
         x.zip(rates.acceleration).collect()
     }

@@ -25,7 +25,7 @@ pub use measures::{HEAD_SPEED, Head, RATE_WINDOW};
 pub use octree::{Bodies, Octree};
 pub use run::{CloudRun, Energies, SAMPLES, Snapshot, cloud_options, run_cloud};
 pub use self_gravity::SelfGravity;
-pub use sink::{MaybeSink, Sink, cross};
+pub use sink::{Sink, cross};
 pub use softening::{attraction, potential};
 pub use sphere::{Distribution, ball, relax};
 pub use walk::{Attraction, Opening};

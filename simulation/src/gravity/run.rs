@@ -3,12 +3,12 @@
 use super::cloud::Cloud;
 use super::measures::Head;
 use super::self_gravity::SelfGravity;
-use super::sink::{MaybeSink, Sink, cross};
+use super::sink::{Sink, cross};
 use super::sphere::{ball, relax};
 use crate::boundary::Boundary;
 use crate::march::{Limits, march};
 use crate::particles::{
-    Confined, Domain, Gas, Integrator, MethodOptions, PairForce, ParticleEvolution, ParticleSystem,
+    Domain, Gas, Integrator, MethodOptions, PairLoops, ParticleEvolution, ParticleSystem,
     Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
     plus_scaled, table,
 };
@@ -114,32 +114,20 @@ struct Plan<'a> {
     observe: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
 }
 
-impl Task for Plan<'_> {
+impl Task<3> for Plan<'_> {
     type Output = Result<CloudRun, InvalidOptions>;
 
-    fn run<G: Gas, F: PairForce>(self, gas: G, force: F) -> Self::Output {
-        match self.cloud.outside {
-            Some(pressure) => self.under(gas, Confined { force, pressure }),
-            None => self.under(gas, force),
-        }
+    fn run<G: Gas>(self, gas: G, force: Box<dyn PairLoops<3>>) -> Self::Output {
+        let mut system = self.place(gas, &*force);
+        let sink = self.cloud.sink.map(|radius| hollow(&mut system, radius));
+        let gravity = SelfGravity::new(self.cloud.constant, sink);
+        self.evolve(system, force, gravity)
     }
 }
 
 impl Plan<'_> {
-    fn under<G: Gas, F: PairForce>(self, gas: G, force: F) -> Result<CloudRun, InvalidOptions> {
-        let constant = self.cloud.constant;
-        let mut system = self.place(gas, &force);
-        match self.cloud.sink {
-            None => self.evolve(system, force, SelfGravity::new(constant, ())),
-            Some(radius) => {
-                let sink = hollow(&mut system, radius);
-                self.evolve(system, force, SelfGravity::new(constant, sink))
-            }
-        }
-    }
-
     /// The particles at the start.
-    fn place<G: Gas, F: PairForce>(&self, gas: G, force: &F) -> ParticleSystem<3, G> {
+    fn place<G: Gas>(&self, gas: G, force: &dyn PairLoops<3>) -> ParticleSystem<3, G> {
         let (cloud, count) = (self.cloud, self.particles);
         let places = ball(cloud.distribution, count);
         let thermal = G::Thermal::from_energy(|| cloud.energy);
@@ -167,7 +155,8 @@ impl Plan<'_> {
             SmoothingKernel::new(self.options.kernel),
             Smoothing::adaptive(self.options.eta),
             force,
-        );
+        )
+        .in_medium(cloud.outside.unwrap_or(0.0));
         if cloud.equilibrium {
             // What goes wrong here goes wrong in the first step, which says so.
             let _ = relax(&mut system, force, RELAXATION_STEPS);
@@ -175,11 +164,11 @@ impl Plan<'_> {
         system
     }
 
-    fn evolve<G: Gas, F: PairForce, S: MaybeSink>(
+    fn evolve<G: Gas>(
         self,
         system: ParticleSystem<3, G>,
-        force: F,
-        gravity: SelfGravity<S>,
+        force: Box<dyn PairLoops<3>>,
+        gravity: SelfGravity,
     ) -> Result<CloudRun, InvalidOptions> {
         let Plan { cloud, options, snapshots, observe, .. } = self;
         let table = table(options.integrator)?;
@@ -194,9 +183,9 @@ impl Plan<'_> {
         let has_energy = energies[0].thermal.is_some();
         let (mut kept, mut head) = (Vec::new(), None);
         let end = cloud.end_time;
-        core.extend(evolution.body().sink.state().map(|sink| [0.0, sink.mass]));
+        core.extend(evolution.body().sink.map(|sink| [0.0, sink.mass]));
         let march = march(&mut evolution, end, limits, |state, time| {
-            core.extend(state.body().sink.state().map(|sink| [time, sink.mass]));
+            core.extend(state.body().sink.map(|sink| [time, sink.mass]));
             if head.is_none() && cloud.head_time().is_some_and(|wanted| time >= wanted) {
                 head = cloud.head(&snapshot(state, time));
             }
@@ -218,7 +207,7 @@ impl Plan<'_> {
             let orbit = cross(&state.position[i], &state.velocity[i]);
             turning = plus_scaled(&turning, state.mass[i], &orbit);
         }
-        if let Some(sink) = evolution.body().sink.state() {
+        if let Some(sink) = &evolution.body().sink {
             mass += sink.mass;
             momentum = plus_scaled(&momentum, sink.mass, &sink.velocity);
             turning = plus_scaled(&turning, sink.mass, &cross(&sink.position, &sink.velocity));
@@ -285,12 +274,9 @@ fn hollow<G: Gas>(system: &mut ParticleSystem<3, G>, radius: f64) -> Sink {
     Sink::new([0.0; 3], mass, radius)
 }
 
-type Gravitating<G, F, S> = ParticleEvolution<3, G, F, SelfGravity<S>>;
+type Gravitating<G> = ParticleEvolution<3, G, SelfGravity>;
 
-fn energies_of<G: Gas, F: PairForce, S: MaybeSink>(
-    state: &Gravitating<G, F, S>,
-    time: f64,
-) -> Energies {
+fn energies_of<G: Gas>(state: &Gravitating<G>, time: f64) -> Energies {
     let (system, gravity) = (state.system(), state.body());
     let particles = &system.particles;
     let half = |m: f64, v: &Vector<3>| 0.5 * m * dot(v, v);
@@ -298,17 +284,14 @@ fn energies_of<G: Gas, F: PairForce, S: MaybeSink>(
         particles.mass.iter().zip(&particles.velocity).map(|(m, v)| half(*m, v)).sum();
     let thermal = system.energy().map(|energy| energy - kinetic);
     let mut potential = gravity.energy(particles);
-    if let Some(sink) = gravity.sink.state() {
+    if let Some(sink) = &gravity.sink {
         kinetic += half(sink.mass, &sink.velocity);
         potential += sink.energy;
     }
     Energies { time, kinetic, thermal, potential }
 }
 
-fn snapshot<G: Gas, F: PairForce, S: MaybeSink>(
-    state: &Gravitating<G, F, S>,
-    time: f64,
-) -> Snapshot {
+fn snapshot<G: Gas>(state: &Gravitating<G>, time: f64) -> Snapshot {
     let system = state.system();
     let particles = &system.particles;
     Snapshot {
@@ -316,7 +299,7 @@ fn snapshot<G: Gas, F: PairForce, S: MaybeSink>(
         position: particles.position.clone(),
         velocity: particles.velocity.clone(),
         density: system.density().to_vec(),
-        sink: state.body().sink.state().copied(),
+        sink: state.body().sink,
         particle_mass: particles.mass.first().copied().unwrap_or(0.0),
     }
 }

@@ -1,7 +1,7 @@
 //! The attraction that particles feel from each other and from a sink.
 
 use super::octree::{Bodies, Octree};
-use super::sink::MaybeSink;
+use super::sink::Sink;
 use super::walk::Opening;
 use crate::particles::{
     BodyForce, Gas, ParticleSystem, Particles, ThermalState, Vector, dot, keep_only, plus_scaled,
@@ -13,19 +13,19 @@ const CHUNK: usize = 256;
 /// The part of its distance a cell may measure where no acceleration is known yet.
 const FIRST_ANGLE: f64 = 0.5;
 
-/// Self-gravity by [`Octree`], with a [`Sink`](super::Sink) or without, `S = ()`.
+/// Self-gravity by [`Octree`], with a [`Sink`] or without.
 ///
 /// Each particle is spread like the cubic spline of its smoothing length; in a pair the mean of the two attractions
 /// acts. Only that of the cells, which stand for many particles, is not exactly opposite: [`net_force`](Self::net_force) measures
 /// what is left.
 #[derive(Debug, Clone)]
-pub struct SelfGravity<S> {
+pub struct SelfGravity {
     /// Newton's constant `G`.
     pub constant: f64,
     /// The error one cell may make in the acceleration of a particle, relative to the last one known.
     pub tolerance: f64,
-    /// The sink, or `()`.
-    pub sink: S,
+    /// The sink.
+    pub sink: Option<Sink>,
     /// Cells and particles summed over so far.
     pub interactions: u64,
     tree: Octree,
@@ -34,7 +34,7 @@ pub struct SelfGravity<S> {
     /// Of the last update, by the sink.
     pull: Vec<Vector<3>>,
     marked: Vec<bool>,
-    kept: S,
+    kept: Option<Sink>,
 }
 
 /// The masses of some particles.
@@ -43,17 +43,17 @@ fn bodies<T>(particles: &Particles<3, T>) -> Bodies<'_> {
     Bodies { position, mass, smoothing }
 }
 
-impl<S: MaybeSink> SelfGravity<S> {
+impl SelfGravity {
     /// `tolerance` of 5e-3, with quadrupoles: 99 % of the accelerations of a centrally condensed sphere are good to
     /// 2e-3.
     pub const TOLERANCE: f64 = 5e-3;
 
     /// Gravity of the constant `G` with the customary tolerance.
-    pub fn new(constant: f64, sink: S) -> Self {
+    pub fn new(constant: f64, sink: Option<Sink>) -> Self {
         Self {
             constant,
             tolerance: Self::TOLERANCE,
-            kept: sink.clone(),
+            kept: sink,
             sink,
             interactions: 0,
             tree: Octree::default(),
@@ -78,7 +78,8 @@ impl<S: MaybeSink> SelfGravity<S> {
         let bodies = bodies(particles);
         let mut tree = Octree::default();
         tree.build(&bodies);
-        let (tree, constant, sink) = (&tree, self.constant, &self.sink);
+        let (tree, constant) = (&tree, self.constant);
+        let depth = |x: &Vector<3>| self.sink.map_or(0.0, |sink| sink.depth(x));
         let mut each = Vec::new();
         (0..particles.len())
             .into_par_iter()
@@ -86,18 +87,18 @@ impl<S: MaybeSink> SelfGravity<S> {
             .map(|i| {
                 let (x, h) = (&particles.position[i], particles.smoothing[i]);
                 let gas = tree.potential(&bodies, x, h, Opening::Geometric(FIRST_ANGLE));
-                constant * particles.mass[i] * (0.5 * gas + sink.potential(x))
+                constant * particles.mass[i] * (0.5 * gas + depth(x))
             })
             .collect_into_vec(&mut each);
         each.iter().sum()
     }
 }
 
-impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
+impl BodyForce<3> for SelfGravity {
     fn update<T: ThermalState>(
         &mut self,
         particles: &Particles<3, T>,
-        active: impl Fn(usize) -> bool + Sync,
+        active: &(dyn Fn(usize) -> bool + Sync),
     ) {
         let count = particles.len();
         let known = self.acceleration.len() == count;
@@ -132,7 +133,15 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
                 self.interactions += found.interactions;
             }
         }
-        self.sink.look(particles, &active, self.constant, &mut self.pull, &mut self.marked);
+        if let Some(sink) = &self.sink {
+            self.pull.resize(count, [0.0; 3]);
+            for i in (0..count).filter(|&i| active(i)) {
+                let (x, v) = (&particles.position[i], &particles.velocity[i]);
+                self.pull[i] = sink.attraction(x).map(|a| self.constant * a);
+                // Once marked, always: it may be through the other side before the step of the whole ends.
+                self.marked[i] |= sink.takes(x, v, self.constant);
+            }
+        }
     }
 
     #[inline]
@@ -144,8 +153,8 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
     #[inline]
     fn impulse(&mut self, particle: usize, mass: f64, duration: f64) -> Vector<3> {
         let change = self.acceleration(particle).map(|a| duration * a);
-        if let Some(pull) = self.pull.get(particle) {
-            self.sink.push(&pull.map(|a| -duration * mass * a));
+        if let (Some(sink), Some(pull)) = (&mut self.sink, self.pull.get(particle)) {
+            sink.push(&pull.map(|a| -duration * mass * a));
         }
         change
     }
@@ -157,11 +166,14 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
     }
 
     fn drift(&mut self, duration: f64) {
-        self.sink.drift(duration);
+        if let Some(sink) = &mut self.sink {
+            sink.position = plus_scaled(&sink.position, duration, &sink.velocity);
+        }
     }
 
     fn settle<G: Gas>(&mut self, system: &mut ParticleSystem<3, G>) {
-        if self.sink.swallow(&system.particles, &self.marked, self.constant) {
+        let Some(sink) = &mut self.sink else { return };
+        if sink.swallow(&system.particles, &self.marked, self.constant) {
             let stays = |i: usize| !self.marked[i];
             system.retain(stays);
             keep_only(&mut self.acceleration, stays);
@@ -172,11 +184,11 @@ impl<S: MaybeSink> BodyForce<3> for SelfGravity<S> {
     }
 
     fn keep(&mut self) {
-        self.kept.clone_from(&self.sink);
+        self.kept = self.sink;
     }
 
     fn restore(&mut self) {
-        self.sink.clone_from(&self.kept);
+        self.sink = self.kept;
         self.marked.fill(false);
     }
 }

@@ -1,7 +1,7 @@
 //! A sink: the point mass that stands for what has become too dense to follow.
 
 use super::softening::{SUPPORT, attraction, potential};
-use crate::particles::{Particles, ThermalState, Vector, dot, plus_scaled};
+use crate::particles::{Particles, Vector, dot, plus_scaled};
 
 /// A particle without pressure that takes up what falls into it. Bate, Bonnell & Price (1995), section 2.2.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,105 +87,14 @@ impl Sink {
         self.mass = total;
         self.taken += 1;
     }
-}
-
-/// A sink or none, `()`.
-pub trait MaybeSink: Clone + std::fmt::Debug + Send + Sync {
-    /// The sink, if it is one.
-    fn state(&self) -> Option<&Sink>;
-
-    /// The potential over `G` at `x`.
-    fn potential(&self, x: &Vector<3>) -> f64;
-
-    /// Its attraction on the active particles, and which of them it will take.
-    fn look<T: ThermalState>(
-        &self,
-        particles: &Particles<3, T>,
-        active: impl Fn(usize) -> bool,
-        constant: f64,
-        pull: &mut Vec<Vector<3>>,
-        marked: &mut [bool],
-    );
 
     /// Gives it momentum.
-    fn push(&mut self, momentum: &Vector<3>);
-
-    /// Moves it.
-    fn drift(&mut self, duration: f64);
-
-    /// Takes the marked particles up, in their order; whether there were any.
-    fn swallow<T: ThermalState>(
-        &mut self,
-        particles: &Particles<3, T>,
-        marked: &[bool],
-        constant: f64,
-    ) -> bool;
-}
-
-impl MaybeSink for () {
-    fn state(&self) -> Option<&Sink> {
-        None
-    }
-
-    #[inline]
-    fn potential(&self, _: &Vector<3>) -> f64 {
-        0.0
-    }
-
-    fn look<T: ThermalState>(
-        &self,
-        _: &Particles<3, T>,
-        _: impl Fn(usize) -> bool,
-        _: f64,
-        _: &mut Vec<Vector<3>>,
-        _: &mut [bool],
-    ) {
-    }
-
-    fn push(&mut self, _: &Vector<3>) {}
-
-    fn drift(&mut self, _: f64) {}
-
-    fn swallow<T: ThermalState>(&mut self, _: &Particles<3, T>, _: &[bool], _: f64) -> bool {
-        false
-    }
-}
-
-impl MaybeSink for Sink {
-    fn state(&self) -> Option<&Sink> {
-        Some(self)
-    }
-
-    fn potential(&self, x: &Vector<3>) -> f64 {
-        self.depth(x)
-    }
-
-    fn look<T: ThermalState>(
-        &self,
-        particles: &Particles<3, T>,
-        active: impl Fn(usize) -> bool,
-        constant: f64,
-        pull: &mut Vec<Vector<3>>,
-        marked: &mut [bool],
-    ) {
-        pull.resize(particles.len(), [0.0; 3]);
-        for i in (0..particles.len()).filter(|&i| active(i)) {
-            let (x, v) = (&particles.position[i], &particles.velocity[i]);
-            pull[i] = self.attraction(x).map(|a| constant * a);
-            // Once marked, always: it may be through the other side before the step of the whole ends.
-            marked[i] |= self.takes(x, v, constant);
-        }
-    }
-
-    fn push(&mut self, momentum: &Vector<3>) {
+    pub(super) fn push(&mut self, momentum: &Vector<3>) {
         self.velocity = plus_scaled(&self.velocity, 1.0 / self.mass, momentum);
     }
 
-    fn drift(&mut self, duration: f64) {
-        self.position = plus_scaled(&self.position, duration, &self.velocity);
-    }
-
-    fn swallow<T: ThermalState>(
+    /// Takes the marked particles up, in their order; whether there were any.
+    pub(super) fn swallow<T>(
         &mut self,
         particles: &Particles<3, T>,
         marked: &[bool],

@@ -1,6 +1,6 @@
 //! Spheres of gas: how their mass is distributed, and particles placed so.
 
-use crate::particles::{Gas, PairForce, ParticleSystem, Rates, Vector, dot, plus_scaled};
+use crate::particles::{Gas, PairLoops, ParticleSystem, Rates, Vector, dot, plus_scaled};
 use crate::run::Reason;
 
 /// How the mass of a sphere is distributed.
@@ -146,9 +146,9 @@ pub fn ball(distribution: Distribution, count: usize) -> Vec<Vector<3>> {
 ///
 /// # Errors
 /// [`Reason`] if the particles leave the states of a gas.
-pub fn relax<G: Gas, F: PairForce>(
+pub fn relax<G: Gas>(
     system: &mut ParticleSystem<3, G>,
-    force: &F,
+    force: &dyn PairLoops<3>,
     steps: usize,
 ) -> Result<(), Reason> {
     let size = |x: &Vector<3>| dot(x, x).sqrt();

@@ -82,7 +82,7 @@ impl UniformFlow {
         &self,
         options: &LagrangianOptions,
         strengths: impl Fn(usize) -> [f64; 3],
-    ) -> Result<LagrangianScheme<super::flux::Flux>, InvalidOptions> {
+    ) -> Result<LagrangianScheme, InvalidOptions> {
         let characteristics = self.characteristics();
         let base = characteristics.base;
         let spacing = self.state.density() / self.particles as f64;
@@ -96,11 +96,11 @@ impl UniformFlow {
         let lattice =
             MassLattice { spacing, states: states.collect(), x: x.collect(), waiting: [0; 2] };
         let boundary = [Boundary::Periodic; 2];
-        LagrangianScheme::from_lattice(self.gas, boundary, lattice, options, options.flux)
+        LagrangianScheme::from_lattice(self.gas, boundary, lattice, options)
     }
 
     /// The characteristic variables of all particles in units of the specific volume.
-    fn strengths(&self, scheme: &LagrangianScheme<super::flux::Flux>) -> Vec<[f64; 3]> {
+    fn strengths(&self, scheme: &LagrangianScheme) -> Vec<[f64; 3]> {
         let characteristics = self.characteristics();
         let base = characteristics.base;
         let strength = |state: &LagrangianState| {
@@ -179,7 +179,7 @@ impl UniformFlow {
     }
 
     /// The amplitude of the mode in one family.
-    fn mode(&self, scheme: &LagrangianScheme<super::flux::Flux>, family: usize, phase: f64) -> f64 {
+    fn mode(&self, scheme: &LagrangianScheme, family: usize, phase: f64) -> f64 {
         let turned = self.strengths(scheme).into_iter().enumerate();
         turned
             .map(|(i, strengths)| Complex64::from_polar(strengths[family], -phase * i as f64))

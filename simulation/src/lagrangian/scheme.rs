@@ -86,10 +86,10 @@ const CHUNK: usize = 1024;
 ///
 /// Work per step: `Σ_k (N + k)` fluxes.
 #[derive(Debug, Clone)]
-pub struct LagrangianScheme<F> {
+pub struct LagrangianScheme {
     gas: IdealGas,
     boundary: [Boundary; 2],
-    flux: F,
+    flux: Flux,
     lattice: Lattice,
     spacing: f64,
     cfl: f64,
@@ -108,7 +108,7 @@ pub struct LagrangianScheme<F> {
     counters: Counters,
 }
 
-impl<F: LagrangianFlux> LagrangianScheme<F> {
+impl LagrangianScheme {
     /// The initial state of a scene, with `particles` particles of equal mass in its domain.
     ///
     /// Particle `i` holds the mass between `iΔξ` and `(i + 1)Δξ` from the left end, `Δξ = M/N`. Its
@@ -119,9 +119,6 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     /// intermediate state. Beyond an end through which gas flows in there are as many more
     /// particles as will enter until the end time.
     ///
-    /// `flux` is the flux that runs, as a type of its own so that it is inlined;
-    /// [`Method`](crate::method::Method) takes it from `options.flux`.
-    ///
     /// # Errors
     /// [`InvalidOptions`], when `options` has a ratio or Courant number that does not make
     /// sense or there are fewer particles than `2·reach + 1`.
@@ -129,7 +126,6 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         scene: &Scene,
         particles: usize,
         options: &LagrangianOptions,
-        flux: F,
     ) -> Result<Self, InvalidOptions> {
         let least = options.check()?;
         if particles < least {
@@ -137,7 +133,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         }
         let gas = scene.material.ideal().expect("the scene is covered");
         let start = MassLattice::new(scene, gas, particles);
-        Self::from_lattice(gas, scene.ends_of_gas(), start, options, flux)
+        Self::from_lattice(gas, scene.ends_of_gas(), start, options)
     }
 
     /// From the particles themselves.
@@ -146,7 +142,6 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         boundary: [Boundary; 2],
         start: MassLattice,
         options: &LagrangianOptions,
-        flux: F,
     ) -> Result<Self, InvalidOptions> {
         let lattice = Lattice::new(options.kernel, options.ratio)?;
         let reach = lattice.reach();
@@ -160,7 +155,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
         let mut scheme = Self {
             gas,
             boundary,
-            flux,
+            flux: options.flux,
             lattice,
             spacing: start.spacing,
             cfl: options.cfl,
@@ -272,7 +267,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
 
     fn compute_fluxes(&mut self) {
         let (reach, count) = (self.lattice.reach(), self.x.len());
-        let (gas, flux, states) = (self.gas, &self.flux, &self.states);
+        let (gas, flux, states) = (self.gas, self.flux, &self.states);
         let offsets = self.lattice.offsets();
         // Nothing presses on a free surface, and the gas goes on as it is.
         let open = self.boundary.map(|end| end == Boundary::Open);
@@ -342,7 +337,7 @@ impl<F: LagrangianFlux> LagrangianScheme<F> {
     }
 }
 
-impl<F: LagrangianFlux> Flowing for LagrangianScheme<F> {
+impl Flowing for LagrangianScheme {
     fn totals(&self) -> Totals {
         let [mut volume, mut momentum, mut energy] = self.inflow.map(|inflow| -inflow);
         let (mut motion, spacing) = (0.0, self.spacing);
@@ -371,7 +366,7 @@ impl<F: LagrangianFlux> Flowing for LagrangianScheme<F> {
     }
 }
 
-impl<F: LagrangianFlux> Lined for LagrangianScheme<F> {
+impl Lined for LagrangianScheme {
     fn profile(&self) -> Profile {
         let column = |value: fn(&LagrangianState) -> f64| self.states().iter().map(value).collect();
         Profile {
@@ -386,7 +381,7 @@ impl<F: LagrangianFlux> Lined for LagrangianScheme<F> {
     }
 }
 
-impl<F: LagrangianFlux> Evolution for LagrangianScheme<F> {
+impl Evolution for LagrangianScheme {
     fn time_step(&mut self) -> Result<f64, Reason> {
         Ok(self.fixed_step.unwrap_or_else(|| self.courant_step()))
     }

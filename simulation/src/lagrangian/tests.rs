@@ -81,7 +81,7 @@ fn a_step_is_the_plain_double_sum() {
         for (ratio, flux) in [1.3, 2.0, 2.7, 4.0].into_iter().zip(fluxes()) {
             let options = LagrangianOptions { kernel, ratio, ..LagrangianOptions::new(flux) };
             let mut scheme =
-                LagrangianScheme::new(&tube, 60, &options, flux).expect("the options are valid");
+                LagrangianScheme::new(&tube, 60, &options).expect("the options are valid");
             for _ in 0..3 {
                 let step = 0.3 * scheme.courant_step();
                 let before = scheme.states().to_vec();
@@ -323,7 +323,7 @@ fn lattices() {
 fn ratio_one_is_godunovs_method_in_mass_coordinates() {
     let tube = tube("sod");
     let options = LagrangianOptions { ratio: 1.0, ..LagrangianOptions::new(Flux::Exact) };
-    let mut scheme = LagrangianScheme::new(&tube, 40, &options, Exact).expect("valid");
+    let mut scheme = LagrangianScheme::new(&tube, 40, &options).expect("valid");
     let gas = gas(&tube);
     for _ in 0..10 {
         let step = scheme.courant_step();

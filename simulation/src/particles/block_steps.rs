@@ -3,7 +3,7 @@
 use super::body_force::BodyForce;
 use super::gas::Gas;
 use super::integrator::Work;
-use super::pair_force::PairForce;
+use super::pair_loops::{PairLoops, PairSteps};
 use super::rates::Rates;
 use super::system::ParticleSystem;
 use super::thermal::ThermalState;
@@ -96,10 +96,10 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
     ///
     /// # Errors
     /// [`Reason`] if the particles leave the states of a gas.
-    pub fn block<G: Gas<Thermal = T>, F: PairForce, B: BodyForce<D>>(
+    pub fn block<G: Gas<Thermal = T>, B: BodyForce<D>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
-        force: &F,
+        force: &dyn PairLoops<D>,
         body: &mut B,
         length: f64,
     ) -> Result<(), Reason> {
@@ -158,17 +158,15 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
     }
 
     /// The impulses of the pairs whose step begins now: those with an active end.
-    fn kick<G: Gas<Thermal = T>, F: PairForce>(
+    fn kick<G: Gas<Thermal = T>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
-        force: &F,
+        force: &dyn PairLoops<D>,
         finest: u32,
         tick: f64,
     ) {
-        let level = &self.level;
-        system.evaluate(force, &mut self.rates, |a, b| {
-            f64::from(1_u32 << (finest - level[a].max(level[b]))) * tick
-        });
+        let steps = PairSteps { level: &self.level, finest, tick };
+        system.evaluate(force, &mut self.rates, Some(steps));
         let rates = &self.rates;
         let mut add = |i: usize| {
             self.impulse[i] = plus_scaled(&self.impulse[i], 1.0, &rates.acceleration[i]);
@@ -217,7 +215,7 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             self.impulse[i] = [0.0; D];
             self.energy[i] = T::default();
         }
-        body.update(state, |i| half(i).is_some());
+        body.update(state, &|i| half(i).is_some());
         for i in 0..state.len() {
             if let Some(half) = half(i) {
                 let fall = body.impulse(i, state.mass[i], half);

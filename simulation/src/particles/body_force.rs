@@ -14,7 +14,7 @@ pub trait BodyForce<const D: usize>: Sync {
     fn update<T: ThermalState>(
         &mut self,
         particles: &Particles<D, T>,
-        active: impl Fn(usize) -> bool + Sync,
+        active: &(dyn Fn(usize) -> bool + Sync),
     );
 
     /// The acceleration of a particle, as of its last update.
@@ -43,7 +43,8 @@ pub trait BodyForce<const D: usize>: Sync {
 
 impl<const D: usize> BodyForce<D> for () {
     #[inline]
-    fn update<T: ThermalState>(&mut self, _: &Particles<D, T>, _: impl Fn(usize) -> bool + Sync) {}
+    fn update<T: ThermalState>(&mut self, _: &Particles<D, T>, _: &(dyn Fn(usize) -> bool + Sync)) {
+    }
 
     #[inline]
     fn acceleration(&self, _: usize) -> Vector<D> {

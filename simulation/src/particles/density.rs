@@ -1,7 +1,7 @@
 //! Density by summation, and the smoothing length that belongs to it.
 
 use super::domain::Domain;
-use super::neighbours::{Link, Neighbours};
+use super::neighbours::Neighbours;
 use super::parallel::{fill, for_each_block};
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
 use super::vector::{Vector, dot};
@@ -159,7 +159,7 @@ impl<const D: usize> DensitySum<D> {
         }
         let range = self.kernel.support() * self.reach;
         let (kernel, rule, mass, lengths) = (&self.kernel, self.rule, &self.mass, &*smoothing);
-        for_each_block(&mut self.scratch, |scratch| {
+        for_each_block(&mut self.scratch, &|scratch| {
             let block = &neighbours.blocks[scratch.block];
             scratch.outcomes.clear();
             for k in 0..block.len {
@@ -173,14 +173,10 @@ impl<const D: usize> DensitySum<D> {
                     if mixed { f64::INFINITY } else { kernel.support() * widest * (1.0 + 1e-9) };
                 scratch.near.clear();
                 scratch.lengths.clear();
-                for neighbour in block.all(k) {
+                for &neighbour in block.all(k) {
                     let other = neighbour.other as usize;
-                    let image = match neighbour.link() {
-                        Link::Image(image) => image,
-                        Link::Known(_) | Link::Own => cells.identity,
-                    };
                     let (here, there) = (&cells.position[at], &cells.position[other]);
-                    let displacement = cells.images[image].displacement(here, there);
+                    let displacement = neighbours.image(neighbour).displacement(here, there);
                     let square = dot(&displacement, &displacement);
                     if square <= edge * edge {
                         scratch.near.push((square.sqrt(), mass[other]));

@@ -3,62 +3,67 @@
 use super::gas::Gas;
 use super::godunov::Godunov;
 use super::method::{MethodOptions, ParticleMethod, SolverChoice};
-use super::pair_force::PairForce;
+use super::pair_loops::PairLoops;
 use super::pair_weight::{Convolution, OwnKernels, Product, SumOfSquares};
 use super::viscous::{PressureForm, Smoothed};
 use crate::riemann::isothermal::{Expansion, Isothermal};
 use crate::riemann::{ExactIdeal, StarSolver, Stopping, VanLeer};
 use crate::scene::Material;
 
-/// What is to be done with a gas and a pair force, whichever they are.
-pub(crate) trait Task {
+/// What is to be done in `D` dimensions with a gas and a pair force, whichever they are.
+pub(crate) trait Task<const D: usize> {
     type Output;
 
-    fn run<G: Gas + 'static, F: PairForce + Send + 'static>(self, gas: G, force: F)
-    -> Self::Output;
+    fn run<G: Gas>(self, gas: G, force: Box<dyn PairLoops<D>>) -> Self::Output;
 }
 
 /// Does it with the gas of a scene and the pair force of a method.
-pub(crate) fn dispatch<T: Task>(material: Material, options: &MethodOptions, task: T) -> T::Output {
+pub(crate) fn dispatch<const D: usize, T: Task<D>>(
+    material: Material,
+    options: &MethodOptions,
+    task: T,
+) -> T::Output {
+    let force = pair_force(material, options);
     match material {
-        Material::Isothermal(gas) => {
-            let expansion = match options.solver {
-                SolverChoice::Published => Expansion::AsShock,
-                SolverChoice::Converged | SolverChoice::Exact => Expansion::Exact,
-            };
-            let solver = Isothermal { sound_speed: gas.sound_speed, expansion };
-            with_solver(options, gas, solver, task)
-        }
-        Material::Ideal(gas) => {
-            let van_leer = |stopping| VanLeer { gas, stopping };
-            match options.solver {
-                SolverChoice::Published => {
-                    with_solver(options, gas, van_leer(Stopping::Published), task)
-                }
-                SolverChoice::Converged => {
-                    with_solver(options, gas, van_leer(Stopping::Converged), task)
-                }
-                SolverChoice::Exact => with_solver(options, gas, ExactIdeal(gas), task),
-            }
-        }
+        Material::Isothermal(gas) => task.run(gas, force),
+        Material::Ideal(gas) => task.run(gas, force),
     }
 }
 
-fn with_solver<G: Gas + 'static, S: StarSolver + Send + 'static, T: Task>(
+/// The pair force of a method for a gas.
+pub(super) fn pair_force<const D: usize>(
+    material: Material,
     options: &MethodOptions,
-    gas: G,
-    solver: S,
-    task: T,
-) -> T::Output {
-    let smoothed = |form| Smoothed { form, viscosity: options.viscosity };
-    match options.method {
-        ParticleMethod::Gph1 => task.run(gas, Godunov { weight: SumOfSquares, solver }),
-        ParticleMethod::Gph2 => task.run(gas, Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => task.run(gas, Godunov { weight: OwnKernels, solver }),
-        ParticleMethod::Gph4 => {
-            task.run(gas, Godunov { weight: Convolution(options.volume), solver })
+) -> Box<dyn PairLoops<D>> {
+    match (material, options.solver) {
+        (Material::Isothermal(gas), solver) => {
+            let expansion = match solver {
+                SolverChoice::Published => Expansion::AsShock,
+                SolverChoice::Converged | SolverChoice::Exact => Expansion::Exact,
+            };
+            with_solver(options, Isothermal { sound_speed: gas.sound_speed, expansion })
         }
-        ParticleMethod::Sph1 | ParticleMethod::Adke => task.run(gas, smoothed(PressureForm::Sum)),
-        ParticleMethod::Sph2 => task.run(gas, smoothed(PressureForm::Geometric)),
+        (Material::Ideal(gas), SolverChoice::Published) => {
+            with_solver(options, VanLeer { gas, stopping: Stopping::Published })
+        }
+        (Material::Ideal(gas), SolverChoice::Converged) => {
+            with_solver(options, VanLeer { gas, stopping: Stopping::Converged })
+        }
+        (Material::Ideal(gas), SolverChoice::Exact) => with_solver(options, ExactIdeal(gas)),
+    }
+}
+
+fn with_solver<const D: usize, S: StarSolver + 'static>(
+    options: &MethodOptions,
+    solver: S,
+) -> Box<dyn PairLoops<D>> {
+    let smoothed = |form| Box::new(Smoothed { form, viscosity: options.viscosity });
+    match options.method {
+        ParticleMethod::Gph1 => Box::new(Godunov { weight: SumOfSquares, solver }),
+        ParticleMethod::Gph2 => Box::new(Godunov { weight: Product, solver }),
+        ParticleMethod::Gph3 => Box::new(Godunov { weight: OwnKernels, solver }),
+        ParticleMethod::Gph4 => Box::new(Godunov { weight: Convolution(options.volume), solver }),
+        ParticleMethod::Sph1 | ParticleMethod::Adke => smoothed(PressureForm::Sum),
+        ParticleMethod::Sph2 => smoothed(PressureForm::Geometric),
     }
 }

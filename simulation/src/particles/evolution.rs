@@ -5,7 +5,7 @@ use super::body_force::BodyForce;
 use super::gas::Gas;
 use super::integrator::{Nystrom, Stepper, Work};
 use super::method::{MethodOptions, StepSharing};
-use super::pair_force::PairForce;
+use super::pair_loops::PairLoops;
 use super::system::{ParticleSystem, Particles};
 use super::vector::Vector;
 use crate::march::Evolution;
@@ -47,16 +47,16 @@ pub enum Stepping<const D: usize, T> {
 ///     &force,
 /// );
 /// let heun = Integrator::named("rk2-heun").unwrap().nystrom().unwrap();
-/// let mut evolution = ParticleEvolution::global(system, force, &heun, 0.3);
+/// let mut evolution = ParticleEvolution::global(system, Box::new(force), &heun, 0.3);
 /// let end = march(&mut evolution, 1.0, Limits { steps: 1000 }, |_, _| ControlFlow::Continue(()));
 /// assert!(end.failure.is_none() && end.time == 1.0);
 /// // A uniform flow is carried along.
 /// assert!((evolution.system().particles.position[0][0] - 0.1).abs() < 1e-12);
 /// ```
-#[derive(Debug, Clone)]
-pub struct ParticleEvolution<const D: usize, G: Gas, F, B = ()> {
+#[derive(Debug)]
+pub struct ParticleEvolution<const D: usize, G: Gas, B = ()> {
     system: ParticleSystem<D, G>,
-    force: F,
+    force: Box<dyn PairLoops<D>>,
     body: B,
     courant: f64,
     stepping: Stepping<D, G::Thermal>,
@@ -68,11 +68,11 @@ pub struct ParticleEvolution<const D: usize, G: Gas, F, B = ()> {
     before: Particles<D, G::Thermal>,
 }
 
-impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
+impl<const D: usize, G: Gas> ParticleEvolution<D, G> {
     /// With one step for everybody, of `courant` crossing times.
     pub fn global(
         system: ParticleSystem<D, G>,
-        force: F,
+        force: Box<dyn PairLoops<D>>,
         table: &Nystrom<f64>,
         courant: f64,
     ) -> Self {
@@ -80,7 +80,12 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
     }
 
     /// With blocks of steps that are halved at most `levels` times.
-    pub fn blocks(system: ParticleSystem<D, G>, force: F, levels: u32, courant: f64) -> Self {
+    pub fn blocks(
+        system: ParticleSystem<D, G>,
+        force: Box<dyn PairLoops<D>>,
+        levels: u32,
+        courant: f64,
+    ) -> Self {
         let stepper = BlockStepper::new(levels, courant);
         Self::new(system, force, courant, Stepping::Blocks(stepper))
     }
@@ -88,7 +93,7 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
     /// With the steps and the work of the options; `table` is that of their integrator.
     pub fn stepped(
         system: ParticleSystem<D, G>,
-        force: F,
+        force: Box<dyn PairLoops<D>>,
         options: &MethodOptions,
         table: &Nystrom<f64>,
     ) -> Self {
@@ -101,7 +106,7 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
 
     fn new(
         system: ParticleSystem<D, G>,
-        force: F,
+        force: Box<dyn PairLoops<D>>,
         courant: f64,
         stepping: Stepping<D, G::Thermal>,
     ) -> Self {
@@ -110,14 +115,14 @@ impl<const D: usize, G: Gas, F: PairForce> ParticleEvolution<D, G, F> {
     }
 
     /// The same under a body force.
-    pub fn under<B: BodyForce<D>>(self, body: B) -> ParticleEvolution<D, G, F, B> {
+    pub fn under<B: BodyForce<D>>(self, body: B) -> ParticleEvolution<D, G, B> {
         let Self { system, force, courant, stepping, before, .. } = self;
         let (current, wanted) = (false, None);
         ParticleEvolution { system, force, body, courant, stepping, current, wanted, before }
     }
 }
 
-impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> ParticleEvolution<D, G, F, B> {
+impl<const D: usize, G: Gas, B: BodyForce<D>> ParticleEvolution<D, G, B> {
     /// With the heating by another velocity than the time-centred one.
     #[must_use]
     pub fn with_work(mut self, work: Work) -> Self {
@@ -172,30 +177,28 @@ impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> ParticleEvolution<D,
     fn step(&mut self, step: f64) -> Result<(), Reason> {
         let Self { system, force, body, .. } = self;
         match &mut self.stepping {
-            Stepping::Global(stepper) => stepper.step(system, force, body, step)?,
-            Stepping::Blocks(stepper) => stepper.block(system, force, body, step)?,
+            Stepping::Global(stepper) => stepper.step(system, &**force, body, step)?,
+            Stepping::Blocks(stepper) => stepper.block(system, &**force, body, step)?,
         }
         body.settle(system);
         system.update_fields()
     }
 }
 
-impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> Evolution
-    for ParticleEvolution<D, G, F, B>
-{
+impl<const D: usize, G: Gas, B: BodyForce<D>> Evolution for ParticleEvolution<D, G, B> {
     fn time_step(&mut self) -> Result<f64, Reason> {
         if let Some(wanted) = self.wanted {
             return Ok(wanted);
         }
         if !self.current {
             self.system.update_fields()?;
-            self.body.update(&self.system.particles, |_| true);
+            self.body.update(&self.system.particles, &|_| true);
             self.current = true;
         }
         let Self { system, force, body, courant, .. } = self;
         let wanted = match &mut self.stepping {
             Stepping::Global(stepper) => {
-                stepper.begin(system, force);
+                stepper.begin(system, &**force);
                 let smoothing = system.particles.smoothing.iter().enumerate();
                 smoothing
                     .map(|(i, &h)| body.longest_step(i, *courant, h))
@@ -224,7 +227,7 @@ impl<const D: usize, G: Gas, F: PairForce, B: BodyForce<D>> Evolution
             self.body.restore();
             // They were physical before the step.
             self.current = self.system.update_fields().is_ok();
-            self.body.update(&self.system.particles, |_| true);
+            self.body.update(&self.system.particles, &|_| true);
         })
     }
 }

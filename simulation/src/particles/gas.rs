@@ -4,7 +4,7 @@ use super::thermal::ThermalState;
 use crate::riemann::IdealGas;
 
 /// An equation of state `P(ρ, u)`.
-pub trait Gas: Copy + Send + Sync {
+pub trait Gas: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// What a particle carries besides mass, position and velocity: `()` or its specific internal energy.
     type Thermal: ThermalState;
 

@@ -2,7 +2,7 @@
 
 use super::body_force::BodyForce;
 use super::gas::Gas;
-use super::pair_force::PairForce;
+use super::pair_loops::PairLoops;
 use super::rates::Rates;
 use super::system::ParticleSystem;
 use super::thermal::ThermalState;
@@ -102,12 +102,12 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
 
     /// Evaluates the rates where a step begins, the fields of the system being those of its state. A time step can then be
     /// chosen from them; [`step`](Self::step) takes it.
-    pub fn begin<G: Gas<Thermal = T>, F: PairForce>(
+    pub fn begin<G: Gas<Thermal = T>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
-        force: &F,
+        force: &dyn PairLoops<D>,
     ) {
-        system.evaluate(force, &mut self.rates, |_, _| 1.0);
+        system.evaluate(force, &mut self.rates, None);
         self.started = true;
     }
 
@@ -124,10 +124,10 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
     ///
     /// # Errors
     /// [`Reason`] if a stage leaves the states of a gas.
-    pub fn step<G: Gas<Thermal = T>, F: PairForce, B: BodyForce<D>>(
+    pub fn step<G: Gas<Thermal = T>, B: BodyForce<D>>(
         &mut self,
         system: &mut ParticleSystem<D, G>,
-        force: &F,
+        force: &dyn PairLoops<D>,
         body: &mut B,
         dt: f64,
     ) -> Result<(), Reason> {
@@ -262,7 +262,7 @@ impl<const D: usize, T: ThermalState> Stepper<D, T> {
             state.thermal[i] = self.thermal[i].plus_scaled(dt, heat);
         }
         body.drift(dt);
-        body.update(state, |_| true);
+        body.update(state, &|_| true);
         for i in 0..state.len() {
             let fall = body.impulse(i, state.mass[i], 0.5 * dt);
             state.velocity[i] = plus_scaled(&state.velocity[i], 1.0, &fall);

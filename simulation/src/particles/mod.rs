@@ -7,7 +7,6 @@
 mod block_steps;
 mod body_force;
 mod cells;
-mod confined;
 mod density;
 mod dispatch;
 mod domain;
@@ -18,6 +17,7 @@ mod integrator;
 mod method;
 mod neighbours;
 mod pair_force;
+mod pair_loops;
 mod pair_weight;
 mod parallel;
 mod rates;
@@ -31,7 +31,6 @@ mod viscous;
 
 pub use block_steps::BlockStepper;
 pub use body_force::BodyForce;
-pub use confined::Confined;
 pub use density::Smoothing;
 pub(crate) use dispatch::{Task, dispatch};
 pub use domain::{Domain, Image};
@@ -42,6 +41,7 @@ pub use integrator::{Integrator, NotExplicit, Nystrom, Stepper, Work, table};
 pub use method::{KernelEstimation, MethodOptions, ParticleMethod, SolverChoice, StepSharing};
 pub use neighbours::{Neighbours, Pair};
 pub use pair_force::{Exchange, PairEnd, PairForce};
+pub use pair_loops::PairLoops;
 pub use pair_weight::{
     Convolution, OwnKernels, PairWeight, Product, SumOfSquares, VolumeInterpolation,
 };

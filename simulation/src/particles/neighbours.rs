@@ -23,9 +23,9 @@ pub struct Pair {
 
 /// One of a particle's neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Neighbour {
+pub struct Neighbour {
     /// Its place in the spatial order.
-    pub other: u32,
+    pub(super) other: u32,
     link: u32,
 }
 
@@ -45,7 +45,7 @@ const OWN: u32 = IMAGE - 1;
 
 impl Neighbour {
     #[inline]
-    pub fn link(self) -> Link {
+    pub(super) fn link(self) -> Link {
         if self.link & IMAGE != 0 {
             Link::Image((self.link & !IMAGE) as usize)
         } else if self.link == OWN {
@@ -146,7 +146,7 @@ impl<const D: usize> Neighbours<D> {
         domain: &Domain<D>,
         positions: &[Vector<D>],
         active: Option<&[u32]>,
-        radius: impl Fn(usize) -> f64 + Sync + Send,
+        radius: impl Fn(usize) -> f64 + Sync,
     ) {
         fill(&mut self.radii, positions.len(), radius);
         self.cells.build(domain, positions, &self.radii);
@@ -160,7 +160,7 @@ impl<const D: usize> Neighbours<D> {
             block.len = BLOCK.min(count - block.start);
         }
         let (cells, active) = (&self.cells, &self.active);
-        for_each_block(&mut self.blocks, |block| block.search(cells, active));
+        for_each_block(&mut self.blocks, &|block| block.search(cells, active));
         self.link();
     }
 
@@ -170,7 +170,7 @@ impl<const D: usize> Neighbours<D> {
     pub(super) fn reuse(
         &mut self,
         positions: &[Vector<D>],
-        radius: impl Fn(usize) -> f64 + Sync + Send,
+        radius: impl Fn(usize) -> f64 + Sync,
     ) -> Option<f64> {
         if !self.complete || self.radii.len() != positions.len() {
             return None;
@@ -207,6 +207,16 @@ impl<const D: usize> Neighbours<D> {
         (rank / BLOCK, pair - self.blocks[rank / BLOCK].first_pair)
     }
 
+    /// The image of a neighbour that is seen.
+    #[inline]
+    pub(super) fn image(&self, neighbour: Neighbour) -> &Image<D> {
+        let index = match neighbour.link() {
+            Link::Image(image) => image,
+            Link::Known(_) | Link::Own => self.cells.identity,
+        };
+        &self.cells.images[index]
+    }
+
     /// The number of the `k`-th particle of a block.
     #[inline]
     pub(super) fn number(&self, block: &Block, k: usize) -> usize {
@@ -241,7 +251,7 @@ impl<const D: usize> Neighbours<D> {
     pub(super) fn spread<T: Copy + PartialEq + Send + Sync>(
         &self,
         values: &mut [T],
-        meet: impl Fn(T, T) -> T + Sync + Send,
+        meet: impl Fn(T, T) -> T + Sync,
     ) -> bool {
         let order = &self.cells.order;
         let (mut here, mut next) = (Vec::new(), Vec::new());

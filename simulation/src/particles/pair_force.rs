@@ -46,7 +46,7 @@ pub struct Exchange {
 }
 
 /// A pair force. Exactly antisymmetric by construction: a pair is evaluated once.
-pub trait PairForce: Sync {
+pub trait PairForce: std::fmt::Debug + Send + Sync + 'static {
     /// Where the force ends, in units of the kernel's support times the larger smoothing length.
     fn reach(&self) -> f64 {
         1.0
@@ -70,5 +70,7 @@ pub trait PairForce: Sync {
         right: &PairEnd,
         distance: f64,
         kernel: &K,
-    ) -> Option<Exchange>;
+    ) -> Option<Exchange>
+    where
+        Self: Sized;
 }

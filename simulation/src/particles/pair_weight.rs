@@ -8,7 +8,7 @@ use super::smoothing_kernel::RadialKernel;
 use std::f64::consts::SQRT_2;
 
 /// A factor `A` with `force = P A`.
-pub trait PairWeight: Sync {
+pub trait PairWeight: std::fmt::Debug + Send + Sync + 'static {
     /// Whether the energy equation uses the star velocity, or the mean of the particles'.
     const STAR_WORK: bool;
 

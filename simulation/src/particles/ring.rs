@@ -1,15 +1,17 @@
 //! One step of the real scheme on a periodic ring, for linearisation by finite differences.
 
 use super::density::Smoothing;
+use super::dispatch::pair_force;
 use super::domain::Domain;
 use super::gas::IsothermalGas;
 use super::integrator::{Nystrom, Stepper};
-use super::pair_force::PairForce;
+use super::method::MethodOptions;
+use super::pair_loops::PairLoops;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use crate::boundary::Boundary;
 use crate::run::Reason;
-use courant_analysis::kernel::Kernel;
+use crate::scene::Material;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -26,7 +28,7 @@ pub struct Ring {
     /// The gas.
     pub gas: IsothermalGas,
     /// The kernel.
-    pub kernel: Kernel,
+    pub kernel: SmoothingKernel<1>,
     /// `h`.
     pub smoothing: f64,
 }
@@ -41,6 +43,11 @@ impl Ring {
         (0..self.particles).map(|j| j as f64 * self.spacing).collect()
     }
 
+    /// The pair force of a method for its gas.
+    pub fn force(&self, options: &MethodOptions) -> Box<dyn PairLoops<1>> {
+        pair_force(Material::Isothermal(self.gas), options)
+    }
+
     /// Positions and velocities after one step from any state, positions not wrapped.
     ///
     /// # Errors
@@ -48,9 +55,9 @@ impl Ring {
     ///
     /// # Panics
     /// Unless there is one position and one velocity for each particle.
-    pub fn step<F: PairForce>(
+    pub fn step(
         &self,
-        force: &F,
+        force: &dyn PairLoops<1>,
         table: &Nystrom<f64>,
         dt: f64,
         positions: &[f64],
@@ -69,7 +76,7 @@ impl Ring {
             self.gas,
             particles,
             Domain::new([0.0], [length], Boundary::Periodic),
-            SmoothingKernel::new(self.kernel),
+            self.kernel,
             Smoothing::Constant,
             force,
         );
@@ -89,7 +96,8 @@ impl Ring {
     /// use courant_simulation::particles::*;
     /// use courant_simulation::riemann::isothermal::{Expansion, Isothermal};
     /// let gas = IsothermalGas { sound_speed: 1.0 };
-    /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel: Kernel::CubicSpline, smoothing: 1.0 };
+    /// let kernel = SmoothingKernel::new(Kernel::CubicSpline);
+    /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: 1.0 };
     /// let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
     /// let gph1 = Godunov { weight: SumOfSquares, solver };
     /// let euler = Integrator::named("euler").unwrap().nystrom().unwrap();
@@ -101,9 +109,9 @@ impl Ring {
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn amplification<F: PairForce>(
+    pub fn amplification(
         &self,
-        force: &F,
+        force: &dyn PairLoops<1>,
         table: &Nystrom<f64>,
         dt: f64,
         mode: usize,

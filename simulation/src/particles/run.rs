@@ -6,7 +6,7 @@ use super::evolution::ParticleEvolution;
 use super::gas::Gas;
 use super::integrator::{Nystrom, table};
 use super::method::MethodOptions;
-use super::pair_force::PairForce;
+use super::pair_loops::PairLoops;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use super::thermal::ThermalState;
@@ -32,41 +32,34 @@ struct Plan<'a> {
     table: &'a Nystrom<f64>,
 }
 
-impl Task for Plan<'_> {
+impl Task<1> for Plan<'_> {
     type Output = Start;
 
-    fn run<G: Gas + 'static, F: PairForce + Send + 'static>(self, gas: G, force: F) -> Start {
-        prepare(self, gas, force)
+    fn run<G: Gas>(self, gas: G, force: Box<dyn PairLoops<1>>) -> Start {
+        let Self { scene, particles, options, table } = self;
+        let (placed, waiting) = scene.place(particles);
+        // Beyond the ends the gas is like that at the ends.
+        let states: Vec<_> = placed.iter().map(|&(x, _)| scene.initial(x)).collect();
+        let particles = Particles {
+            position: placed.iter().map(|&(x, _)| [x]).collect(),
+            velocity: states.iter().map(|state| [state.velocity()]).collect(),
+            mass: placed.iter().map(|&(_, mass)| mass).collect(),
+            thermal: states.iter().map(|s| gas.thermal(s.density(), s.pressure())).collect(),
+            smoothing: (placed.iter().zip(&states))
+                .map(|((_, mass), state)| options.eta * mass / state.density())
+                .collect(),
+        };
+        let smoothing = options.smoothing(scene.constant_smoothing, &placed, waiting);
+        let [from, to] = scene.domain;
+        let domain = Domain { lower: [from], upper: [to], boundary: [scene.boundary] };
+        let kernel = SmoothingKernel::new(options.kernel);
+        let system = ParticleSystem::new(gas, particles, domain, kernel, smoothing, &*force);
+        let evolution = Box::new(ParticleEvolution::stepped(system, force, options, table));
+        Start { evolution, waiting, max_steps: options.max_steps }
     }
 }
 
-fn prepare<G: Gas + 'static, F: PairForce + Send + 'static>(
-    Plan { scene, particles, options, table }: Plan<'_>,
-    gas: G,
-    force: F,
-) -> Start {
-    let (placed, waiting) = scene.place(particles);
-    // Beyond the ends the gas is like that at the ends.
-    let states: Vec<_> = placed.iter().map(|&(x, _)| scene.initial(x)).collect();
-    let particles = Particles {
-        position: placed.iter().map(|&(x, _)| [x]).collect(),
-        velocity: states.iter().map(|state| [state.velocity()]).collect(),
-        mass: placed.iter().map(|&(_, mass)| mass).collect(),
-        thermal: states.iter().map(|s| gas.thermal(s.density(), s.pressure())).collect(),
-        smoothing: (placed.iter().zip(&states))
-            .map(|((_, mass), state)| options.eta * mass / state.density())
-            .collect(),
-    };
-    let smoothing = options.smoothing(scene.constant_smoothing, &placed, waiting);
-    let [from, to] = scene.domain;
-    let domain = Domain { lower: [from], upper: [to], boundary: [scene.boundary] };
-    let kernel = SmoothingKernel::new(options.kernel);
-    let system = ParticleSystem::new(gas, particles, domain, kernel, smoothing, &force);
-    let evolution = Box::new(ParticleEvolution::stepped(system, force, options, table));
-    Start { evolution, waiting, max_steps: options.max_steps }
-}
-
-impl<const D: usize, G: Gas, F: PairForce> Flowing for ParticleEvolution<D, G, F> {
+impl<const D: usize, G: Gas> Flowing for ParticleEvolution<D, G> {
     fn totals(&self) -> Totals {
         let (system, state) = (self.system(), &self.system().particles);
         let motion = (0..state.len())
@@ -109,7 +102,7 @@ impl<const D: usize, G: Gas, F: PairForce> Flowing for ParticleEvolution<D, G, F
     }
 }
 
-impl<G: Gas, F: PairForce> Lined for ParticleEvolution<1, G, F> {
+impl<G: Gas> Lined for ParticleEvolution<1, G> {
     fn profile(&self) -> Profile {
         let (system, state) = (self.system(), &self.system().particles);
         Profile {

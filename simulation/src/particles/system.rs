@@ -1,12 +1,12 @@
 //! Particles, the fields they carry, and the rates a pair force gives them.
 
 use super::density::{DensitySum, Positions, Smoothing};
-use super::domain::{Domain, Image};
+use super::domain::Domain;
 use super::gas::Gas;
-use super::neighbours::{BLOCK, Link, Neighbour, Neighbours};
+use super::neighbours::{BLOCK, Neighbour, Neighbours};
 use super::pair_force::PairForce;
+use super::pair_loops::End;
 use super::parallel::{fill, first};
-use super::rates::End;
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
 use super::thermal::ThermalState;
 use super::vector::{Vector, dot, plus_scaled};
@@ -64,6 +64,7 @@ pub struct ParticleSystem<const D: usize, G: Gas> {
     pub(super) volume_gradient: Vec<Vector<D>>,
     pub(super) compression: Vec<f64>,
     pub(super) ends: Vec<End<D>>,
+    pub(super) outside: f64,
     /// Work done so far.
     pub counters: Counters,
 }
@@ -73,13 +74,13 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
     ///
     /// # Panics
     /// If the arrays of `particles` differ in length.
-    pub fn new<F: PairForce>(
+    pub fn new(
         gas: G,
         particles: Particles<D, G::Thermal>,
         domain: Domain<D>,
         kernel: SmoothingKernel<D>,
         smoothing: Smoothing,
-        force: &F,
+        force: &dyn PairForce,
     ) -> Self {
         let count = particles.len();
         assert!(
@@ -107,8 +108,17 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             },
             compression: if force.needs_compression() { vec![1.0; count] } else { Vec::new() },
             ends: Vec::new(),
+            outside: 0.0,
             counters: Counters::default(),
         }
+    }
+
+    /// The same gas in a medium of constant pressure. It is taken from the pressures of every pair: inside the gas its sum over
+    /// the neighbours vanishes, at an edge what is missing of it presses inward.
+    #[must_use]
+    pub fn in_medium(mut self, pressure: f64) -> Self {
+        self.outside = pressure;
+        self
     }
 
     /// Takes out the particles that are not to be kept. Fields and pairs are those of before until they are
@@ -243,8 +253,8 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             for k in 0..block.len {
                 let at = neighbours.active[block.start + k] as usize;
                 let i = neighbours.number(block, k);
-                let term = |neighbour: &Neighbour| {
-                    let (image, other) = (self.image(neighbour), neighbour.other as usize);
+                let term = |neighbour: Neighbour| {
+                    let (image, other) = (neighbours.image(neighbour), neighbour.other as usize);
                     let position = &neighbours.cells.position;
                     let displacement = image.displacement(&position[at], &position[other]);
                     let distance = dot(&displacement, &displacement).sqrt();
@@ -254,7 +264,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
                     let weight = if distance > 0.0 { mass * slope / distance } else { 0.0 };
                     displacement.map(|component| weight * component)
                 };
-                let sum = |sum: Vector<D>, neighbour| plus_scaled(&sum, 1.0, &term(neighbour));
+                let sum = |sum: Vector<D>, &neighbour| plus_scaled(&sum, 1.0, &term(neighbour));
                 let before = block.before(k).iter().rev().fold([0.0; D], sum);
                 let after = block.after(k).iter().fold([0.0; D], sum);
                 let square = self.density[i] * self.density[i];
@@ -274,8 +284,8 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             let i = cells.order[at] as usize;
             let h = state.smoothing[i];
             let mut gradient = [[0.0; D]; D];
-            for neighbour in neighbours.blocks[rank / BLOCK].all(rank % BLOCK) {
-                let (image, other) = (self.image(neighbour), neighbour.other as usize);
+            for &neighbour in neighbours.blocks[rank / BLOCK].all(rank % BLOCK) {
+                let (image, other) = (neighbours.image(neighbour), neighbour.other as usize);
                 let j = cells.order[other] as usize;
                 let displacement = image.displacement(&cells.position[at], &cells.position[other]);
                 let distance = dot(&displacement, &displacement).sqrt();
@@ -297,16 +307,6 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         });
         for (&at, factor) in neighbours.active.iter().zip(factors) {
             self.compression[cells.order[at as usize] as usize] = factor;
-        }
-    }
-
-    /// The image of a neighbour that is seen.
-    #[inline]
-    pub(super) fn image(&self, neighbour: &Neighbour) -> &Image<D> {
-        let cells = &self.neighbours.cells;
-        match neighbour.link() {
-            Link::Image(image) => &cells.images[image],
-            Link::Known(_) | Link::Own => &cells.images[cells.identity],
         }
     }
 }

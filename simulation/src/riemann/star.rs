@@ -14,7 +14,7 @@ pub struct StarState {
 }
 
 /// A solver that always has an answer: particle methods meet vacuum and round-off, and must go on.
-pub trait StarSolver: Sync {
+pub trait StarSolver: std::fmt::Debug + Send + Sync + 'static {
     /// `P*` and `v*` between a left and a right state, left and right by position.
     fn star(&self, left: &State, right: &State) -> StarState;
 }

@@ -60,6 +60,10 @@ impl Lattice {
 
     /// The cell so many cells away.
     pub fn neighbour(&self, cell: usize, offset: [i32; 3]) -> usize {
+        if offset == [0; 3] {
+            // Most terms stay in their line.
+            return cell;
+        }
         let (mut rest, mut stride, mut place) = (cell, 1, 0);
         for (&points, offset) in self.points.iter().zip(offset).rev() {
             let moved = (rest % points) as i64 + i64::from(offset);

@@ -20,8 +20,8 @@ fn check_active<const D: usize>(boundary: Boundary) {
     let active: Vec<u32> = (0..count as u32).filter(|i| i % 7 < 2).collect();
     some.update_active(&active).expect("a physical state");
     let [mut whole, mut part] = [Rates::default(), Rates::default()];
-    all.evaluate(&FORCE, &mut whole, |_, _| 1.0);
-    some.evaluate(&FORCE, &mut part, |_, _| 1.0);
+    all.evaluate(&FORCE, &mut whole, None);
+    some.evaluate(&FORCE, &mut part, None);
     for &i in &active {
         let i = i as usize;
         assert!((some.density()[i] / all.density()[i] - 1.0).abs() < 1e-12);
@@ -59,7 +59,7 @@ fn active_particles_get_what_all_would_get() {
 }
 
 /// A hot spot in cold gas: most particles take long steps.
-fn hot_spot<F: PairForce>(force: &F) -> ParticleSystem<2, crate::riemann::IdealGas> {
+fn hot_spot(force: &dyn PairForce) -> ParticleSystem<2, crate::riemann::IdealGas> {
     let side = 64;
     let spacing = 1.0 / f64::from(side);
     let at = |k: i32| (f64::from(k) + 0.5) * spacing - 0.5;
@@ -86,8 +86,8 @@ fn blocks_conserve_in_a_plane_and_save_densities_searches_and_pairs() {
         let system = hot_spot(&force);
         let energy = system.energy();
         let mut evolution = match levels {
-            None => ParticleEvolution::global(system, force, &table, 0.3),
-            Some(levels) => ParticleEvolution::blocks(system, force, levels, 0.3),
+            None => ParticleEvolution::global(system, Box::new(force), &table, 0.3),
+            Some(levels) => ParticleEvolution::blocks(system, Box::new(force), levels, 0.3),
         };
         let limits = Limits { steps: 10_000 };
         let end = march(&mut evolution, 0.008, limits, |_, _| ControlFlow::Continue(()));
