@@ -102,25 +102,33 @@ fn run_scheme(
         .map_err(|error| Failure::Message(error.to_string()))?;
     bar.finish();
     let stem = format!("map_{}_{}", scheme.name(), kernel.name());
-    write(&output, &stem, &map.figure()?, || map.data_files(&stem))
+    write(&output, &stem, || Ok(map.figure()?), || map.data_files(&stem))
 }
 
 /// Makes picture and data at the same time, writes them as they are ready, and says where when all are.
 fn write(
     output: &OutputDirectory,
     stem: &str,
-    figure: &Figure,
+    figure: impl FnOnce() -> Result<Figure, Failure> + Send,
     data: impl FnOnce() -> Vec<(String, Vec<u8>)> + Send,
 ) -> Result<Outcome, Failure> {
     let file = |name: &str, bytes: &[u8]| output.prepare(name, bytes).map_err(Failure::from);
-    let png = || file(&format!("{stem}.png"), &figure.png()?);
-    let svg = || file(&format!("{stem}.svg"), figure.svg()?.as_bytes());
+    let pictures = || {
+        let figure = figure()?;
+        let png = || file(&format!("{stem}.png"), &figure.png()?);
+        let svg = || file(&format!("{stem}.svg"), figure.svg()?.as_bytes());
+        let (png, svg) = rayon::join(png, svg);
+        Ok([png?, svg?])
+    };
     let data = || data().par_iter().map(|(name, bytes)| file(name, bytes)).collect();
-    let ((png, svg), data) = rayon::join(|| rayon::join(png, svg), data);
-    let data: Result<Vec<Prepared>, Failure> = data;
+    let (pictures, data): (Result<_, Failure>, Result<Vec<Prepared>, Failure>) =
+        rayon::join(pictures, data);
+    let prepared: Vec<Prepared> = pictures?.into_iter().chain(data?).collect();
+    // Side by side: to put away the megabytes of a file that was there takes as long as to name all others.
+    let places: Vec<_> = prepared.into_par_iter().map(Prepared::publish).collect();
     let mut text = String::new();
-    for file in [png?, svg?].into_iter().chain(data?) {
-        text.push_str(&format!("{}\n", file.publish()?.display()));
+    for place in places {
+        text.push_str(&format!("{}\n", place?.display()));
     }
     print(&text)
 }

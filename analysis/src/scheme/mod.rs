@@ -23,5 +23,6 @@ pub use lattice_method::{COURANT, LatticeMethod};
 pub(crate) use linear::constant;
 pub use lines::Lines;
 pub use names::{Letter, LetterKind, Name, Names};
+pub(crate) use one_step::OffsetCoefficient;
 pub use one_step::OneStep;
 pub use step::{SchemeError, Step};

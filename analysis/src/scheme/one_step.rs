@@ -4,11 +4,12 @@ mod expansion;
 mod print;
 
 use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, integer, to_f64};
+use crate::exact::rational::{Rational, integer, reduced, to_f64};
 use crate::exact::stencil::Stencil;
 use crate::scheme::Step;
+use num_bigint::BigInt;
 use num_complex::Complex64;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// The coefficients of `u_j^{n+1} = Σ_k c_k(p) u_{j+k}^n`, polynomials in one parameter `p`.
 ///
@@ -40,27 +41,89 @@ impl Step {
         if !only || self.dimension != 1 {
             return None;
         }
-        let (coefficients, keeps_constants) = expansion::coefficients(self, variable)?;
-        Some(OneStep { parameter: parameter.into(), coefficients, keeps_constants })
+        let (expansion, keeps_constants) = expansion::coefficients(self, variable)?;
+        let over = |values: Vec<BigInt>| {
+            let fraction = |value| reduced(value, expansion.denominator.clone());
+            Polynomial::new(values.into_iter().map(fraction).collect())
+        };
+        let coefficients = expansion.coefficients.into_iter();
+        let coefficients = coefficients.map(|c| (c.offset[0], over(c.centers), over(c.radii)));
+        Some(OneStep {
+            parameter: parameter.into(),
+            coefficients: coefficients.collect(),
+            keeps_constants,
+        })
     }
 
     /// The coefficients with their offsets along every axis, in any number of dimensions, and how far each may be from the true one; `None`
     /// as from [`one_step`](Self::one_step).
     pub(crate) fn coefficients(&self, parameter: &str) -> Option<Vec<OffsetCoefficient>> {
-        if self.dimension == 1 {
-            let all = self.one_step(parameter)?.coefficients.into_iter();
-            return Some(all.map(|(k, center, radius)| (vec![k], center, radius)).collect());
-        }
-        let only = self.free_parameters().iter().all(|name| name == parameter);
-        if !only || self.names.letters().next().is_some() {
+        let variable = self.names.parameter(parameter)?;
+        if self.free_parameters().iter().any(|name| name != parameter) {
             return None;
         }
-        expansion::coefficients_on_torus(self, self.names.parameter(parameter)?)
+        let expansion = match self.dimension {
+            1 => expansion::coefficients(self, variable)?.0,
+            _ if self.names.letters().next().is_some() => return None,
+            _ => expansion::coefficients_on_torus(self, variable)?,
+        };
+        Some(expansion.coefficients)
     }
 }
 
-/// The offset of a coefficient, the coefficient in powers of the parameter, and how far each power may be from the true one.
-pub(crate) type OffsetCoefficient = (Vec<i64>, Polynomial<Rational>, Polynomial<Rational>);
+/// All coefficients over one positive denominator.
+struct Expansion {
+    coefficients: Vec<OffsetCoefficient>,
+    denominator: BigInt,
+}
+
+impl Expansion {
+    /// Without coefficients that vanish.
+    fn new(mut coefficients: Vec<OffsetCoefficient>, denominator: BigInt) -> Self {
+        if denominator.is_negative() {
+            coefficients.iter_mut().flat_map(|c| &mut c.centers).for_each(|c| *c = -&*c);
+        }
+        coefficients.retain(|c| c.centers.iter().chain(&c.radii).any(|value| !value.is_zero()));
+        let denominator = denominator.abs();
+        Self { coefficients, denominator }
+    }
+}
+
+/// A coefficient at its offset along every axis, in powers of the parameter and times a positive number that all have in common: its signs
+/// are known without a fraction.
+#[derive(Debug, Clone)]
+pub(crate) struct OffsetCoefficient {
+    pub(crate) offset: Vec<i64>,
+    centers: Vec<BigInt>,
+    /// How far each may be from the true one; as many.
+    radii: Vec<BigInt>,
+}
+
+impl OffsetCoefficient {
+    pub(crate) fn is_exact(&self) -> bool {
+        self.radii.iter().all(Zero::is_zero)
+    }
+
+    /// Whether no power can be negative.
+    pub(crate) fn is_plainly_non_negative(&self) -> bool {
+        self.centers.iter().zip(&self.radii).all(|(center, radius)| center >= radius)
+    }
+
+    /// The least that it may be.
+    pub(crate) fn least(&self) -> Polynomial<BigInt> {
+        self.bound(|center, radius| center - radius)
+    }
+
+    /// The most that it may be.
+    pub(crate) fn most(&self) -> Polynomial<BigInt> {
+        self.bound(|center, radius| center + radius)
+    }
+
+    fn bound(&self, of: impl Fn(&BigInt, &BigInt) -> BigInt) -> Polynomial<BigInt> {
+        let pairs = self.centers.iter().zip(&self.radii);
+        Polynomial::new(pairs.map(|(center, radius)| of(center, radius)).collect())
+    }
+}
 
 impl OneStep {
     /// Whether all coefficients are known exactly.

@@ -4,6 +4,7 @@
 //! At one phase the margin is a polynomial in `t`, negative on a few intervals. The union of these
 //! intervals over all phases is the unstable set; its ends are the critical values.
 
+use crate::golden_section::golden_section;
 use crate::stability::margin::CompiledMargin;
 
 /// An end of the unstable set.
@@ -28,8 +29,8 @@ pub(super) fn sampled_unstable_set(
     phases: impl Iterator<Item = f64>,
     max_parameter: f64,
 ) -> Vec<UnstableInterval> {
-    let mut intervals = Vec::new();
     let phases: Vec<f64> = phases.collect();
+    let mut intervals = Vec::with_capacity(phases.len());
     let (all, powers) = (margin.powers_on(&phases), margin.powers());
     let mut scratch = Scratch::default();
     for (index, &phase) in phases.iter().enumerate() {
@@ -39,7 +40,11 @@ pub(super) fn sampled_unstable_set(
             to: Critical { parameter: to, phase },
         }));
     }
-    intervals.sort_by(|a, b| a.from.parameter.total_cmp(&b.from.parameter));
+    // Of ends that are equal the longest wave comes first.
+    intervals.sort_unstable_by(|a, b| {
+        let [a, b] = [a.from, b.from];
+        a.parameter.total_cmp(&b.parameter).then(a.phase.total_cmp(&b.phase))
+    });
     let mut union: Vec<UnstableInterval> = Vec::new();
     for interval in intervals {
         match union.last_mut() {
@@ -85,26 +90,16 @@ pub(super) fn refine(
             .map(|&(from, to)| if is_start { from } else { to })
             .min_by(|a, b| (a - guess.parameter).abs().total_cmp(&(b - guess.parameter).abs()))
     };
-    let worse = |a: f64, b: f64| if is_start { a < b } else { a > b };
-    let mut lower = (guess.phase - spacing).max(0.0);
-    let mut upper = (guess.phase + spacing).min(std::f64::consts::PI);
-    let mut best = guess;
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    while upper - lower > 1e-9 {
-        let left = upper - golden * (upper - lower);
-        let right = lower + golden * (upper - lower);
-        let value = |end: Option<f64>| {
-            end.unwrap_or(if is_start { f64::INFINITY } else { f64::NEG_INFINITY })
-        };
-        let (at_left, at_right) = (value(end_at(left)), value(end_at(right)));
-        for (phase, parameter) in [(left, at_left), (right, at_right)] {
-            if parameter.is_finite() && worse(parameter, best.parameter) {
-                best = Critical { parameter, phase };
-            }
-        }
-        if worse(at_right, at_left) { lower = left } else { upper = right }
+    let worse = |parameter: f64| if is_start { -parameter } else { parameter };
+    let about =
+        [(guess.phase - spacing).max(0.0), (guess.phase + spacing).min(std::f64::consts::PI)];
+    let value = |phase| end_at(phase).map_or(f64::NEG_INFINITY, worse);
+    let (found, phase) = golden_section(value, about, 1e-9);
+    if found.is_finite() && found > worse(guess.parameter) {
+        Critical { parameter: worse(found), phase }
+    } else {
+        guess
     }
-    best
 }
 
 /// The open intervals within `[0, end]` where `Σ_j a_j t^j` is negative.

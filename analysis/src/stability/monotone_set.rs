@@ -5,18 +5,19 @@ use super::{Evidence, ExactValue, Limit, SearchPlan, StableInterval, StableSet};
 use crate::exact::algebraic_number::AlgebraicNumber;
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{
-    Rational, common_denominator, compare, integer, numerator_over, reduced, to_f64_above,
-    to_f64_below,
+    Rational, compare, greatest_divisor, integer, reduced, to_f64_above, to_f64_below,
 };
 use crate::exact::real_roots::{RealRoot, SturmChain, power_of_two, real_roots};
-use crate::scheme::{SchemeError, Step};
+use crate::scheme::{OffsetCoefficient, SchemeError, Step};
+use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
 /// Roots are enclosed to this many bits of their size: more than the enclosures of the Gaussian settle.
 const ROOT_BITS: u32 = 200;
 
-/// A coefficient at an offset, or the least or greatest it may be, without the power of the parameter that divides it.
+/// The least or the greatest that a coefficient may be, in whole numbers: without the power of the parameter and the positive factor that
+/// divide it.
 struct Coefficient {
     offset: Vec<i64>,
     polynomial: Polynomial<Rational>,
@@ -66,22 +67,18 @@ impl Step {
             return Err(SchemeError::NotSet(open));
         }
         let Some(coefficients) = self.coefficients(parameter) else { return Ok(None) };
-        let exact = coefficients.iter().all(|(_, _, radius)| radius.is_zero());
+        let exact = coefficients.iter().all(OffsetCoefficient::is_exact);
         let evidence = if exact { Evidence::Proved } else { Evidence::Enclosed };
-        let open: Vec<_> = coefficients
-            .iter()
-            .filter(|(_, center, radius)| !is_plainly_non_negative(center, radius))
-            .collect();
-        let bound = |sign: i64| {
-            let bounds = open.iter().map(|(offset, center, radius)| {
-                Coefficient::new(offset.clone(), center.clone() + radius.scale(&integer(sign)))
-            });
+        let open: Vec<_> =
+            coefficients.iter().filter(|one| !one.is_plainly_non_negative()).collect();
+        let bound = |of: fn(&OffsetCoefficient) -> Polynomial<BigInt>| {
+            let bounds = open.iter().map(|one| Coefficient::new(one.offset.clone(), of(one)));
             // Coefficients that are negative at once come first: most often they end the search.
             let mut bounds: Vec<_> = bounds.collect();
             bounds.sort_by_key(|bound| !bound.starts_negative());
             bounds
         };
-        let (least, most) = (bound(-1), bound(1));
+        let (least, most) = (bound(OffsetCoefficient::least), bound(OffsetCoefficient::most));
         let certain = non_negative(&least, plan);
         let possible = match evidence {
             Evidence::Proved => certain.clone(),
@@ -92,9 +89,7 @@ impl Step {
                 .first()
                 .filter(|c| c.starts_negative())
                 .map(|c| c.offset.clone()),
-            at_zero: open
-                .iter()
-                .all(|(_, center, radius)| center.coefficient(0) >= radius.coefficient(0)),
+            at_zero: open.iter().all(|one| !one.least().coefficient(0).is_negative()),
             ..StableSet::empty(evidence)
         };
         for whole in &possible {
@@ -108,17 +103,6 @@ impl Step {
         }
         Ok(Some(set.of_step(self)))
     }
-}
-
-/// Whether no coefficient of the polynomial can be negative.
-fn is_plainly_non_negative(center: &Polynomial<Rational>, radius: &Polynomial<Rational>) -> bool {
-    let zero = Rational::zero();
-    let radii = radius.coefficients().iter().chain(std::iter::repeat(&zero));
-    radius.degree() <= center.degree()
-        && center.coefficients().iter().zip(radii).all(|(value, radius)| {
-            // Compared by products: fractions would be divided.
-            value.numer() * radius.denom() >= radius.numer() * value.denom()
-        })
 }
 
 /// Adds what is known of one interval of possibly monotone parameters from the certainly monotone ones inside it.
@@ -176,9 +160,11 @@ fn non_negative<'a>(coefficients: &'a [Coefficient], plan: &SearchPlan) -> Vec<S
 }
 
 impl Coefficient {
-    fn new(offset: Vec<i64>, polynomial: Polynomial<Rational>) -> Self {
-        let values = polynomial.into_coefficients();
-        let polynomial = values.into_iter().skip_while(Zero::is_zero).collect();
+    fn new(offset: Vec<i64>, polynomial: Polynomial<BigInt>) -> Self {
+        let values = polynomial.into_coefficients().into_iter().skip_while(Zero::is_zero);
+        let values: Vec<BigInt> = values.collect();
+        let divisor = values.iter().fold(BigInt::zero(), |all, one| greatest_divisor(&all, one));
+        let polynomial = values.into_iter().map(|value| Rational::from(value / &divisor)).collect();
         Self { offset, polynomial: Polynomial::new(polynomial) }
     }
 
@@ -316,8 +302,7 @@ impl End<'_> {
         {
             return Limit::exactly(ExactValue::square_root(-a / b), evidence);
         }
-        let common = common_denominator(self.of.polynomial.coefficients());
-        let integers = self.of.polynomial.map(|value| numerator_over(value, &common));
+        let integers = self.of.polynomial.map(Rational::to_integer);
         let RealRoot { lower, upper } = self.root.clone();
         match AlgebraicNumber::between(integers, lower.clone(), upper.clone()) {
             Some(number) => Limit::root_of(number, evidence),

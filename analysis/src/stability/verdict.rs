@@ -4,10 +4,12 @@ use super::at_value::DemandsAt;
 use super::decision::LEAST_BUDGET;
 use super::multiplicity::multiplicity_among;
 use super::{Demands, Evidence, Limit, PointVerdict, SearchPlan, StableSet, Wave};
+use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, from_f64, integer};
 use crate::scheme::{SchemeError, Step};
 use crate::waves::Growth;
 use crate::waves::step_growth::growth_under;
+use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
 /// Growth per step up to which an instability is called weak: doubling takes more than 6900 steps.
@@ -188,12 +190,14 @@ fn is_at(end: &Limit, value: &Rational) -> bool {
 /// Whether every coefficient is non-negative, as far as the uncertainty of the data allows to say.
 fn is_monotone(step: &Step, parameter: &str, value: &Rational) -> Option<bool> {
     let mut all = Some(true);
-    for (_, center, radius) in &step.coefficients(parameter)? {
-        let (center, radius) = (center.evaluate(value), radius.evaluate(value));
-        if (&center + &radius).is_negative() {
+    let is_negative = |bound: Polynomial<BigInt>| {
+        bound.map(|value| Rational::from(value.clone())).evaluate(value).is_negative()
+    };
+    for coefficient in &step.coefficients(parameter)? {
+        if is_negative(coefficient.most()) {
             return Some(false);
         }
-        if (&center - &radius).is_negative() {
+        if is_negative(coefficient.least()) {
             all = None;
         }
     }

@@ -3,6 +3,7 @@
 
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, ratio};
+use crate::golden_section::golden_section;
 use crate::stability::margin::{CompiledMargin, Margin};
 use num_traits::Zero;
 use std::f64::consts::{LN_2, PI};
@@ -123,17 +124,11 @@ pub fn fastest_growth(margin: &Margin, courant_number: f64) -> Extremum {
         if values[index] < values[before] || values[index] < values[after] {
             continue;
         }
-        let (mut lower, mut upper) = (phases[before], phases[after]);
-        let golden = 0.5 * (5f64.sqrt() - 1.0);
-        while upper - lower > 1e-8 * upper {
-            let left = upper - golden * (upper - lower);
-            let right = lower + golden * (upper - lower);
-            let at = |phase| compiled.growth(courant_number, phase);
-            if at(left) < at(right) { lower = left } else { upper = right }
-        }
-        for phase in [phases[index], 0.5 * (lower + upper)] {
-            best = larger(best, Extremum { growth: compiled.growth(courant_number, phase), phase });
-        }
+        best = larger(best, Extremum { growth: values[index], phase: phases[index] });
+        let around = [phases[before], phases[after]];
+        let at = |phase| compiled.growth(courant_number, phase);
+        let (growth, phase) = golden_section(at, around, 1e-8 * around[1]);
+        best = larger(best, Extremum { growth, phase });
     }
     best
 }

@@ -107,7 +107,7 @@ impl Envelope {
             }
         }
         let turns: Vec<(f64, f64)> = (0..2 * cells).map(|j| exact_turn(j, cells)).collect();
-        let mut table = Vec::with_capacity((cells + 1) * powers);
+        let mut table = Vec::new();
         Arch::new().dispatch(Tabulation {
             even: &even,
             odd: &odd,
@@ -152,21 +152,32 @@ impl WithSimd for Tabulation<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         let width = TERMS / 2 * self.powers;
-        let (mut evens, mut odds) = (vec![0.0; width], vec![0.0; width]);
-        for node in 0..=self.turns.len() / 2 {
-            evens.fill(0.0);
-            odds.fill(0.0);
+        let cells = self.turns.len() / 2;
+        self.table.resize((cells + 1) * self.powers, [0.0; TERMS]);
+        // The sums of even and of odd orders: cos k(π − φ) = (−1)^k cos kφ and sin k(π − φ) = −(−1)^k sin kφ, so two nodes have them in common.
+        let mut cosines = [vec![0.0; width], vec![0.0; width]];
+        let mut sines = [vec![0.0; width], vec![0.0; width]];
+        for node in 0..=cells / 2 {
+            cosines.iter_mut().chain(&mut sines).for_each(|sums| sums.fill(0.0));
             let terms = self.even.chunks_exact(width).zip(self.odd.chunks_exact(width));
             for (order, (even, odd)) in terms.enumerate() {
                 let (sine, cosine) = self.turns[order * node % self.turns.len()];
-                evens.iter_mut().zip(even).for_each(|(sum, term)| *sum += term * cosine);
-                odds.iter_mut().zip(odd).for_each(|(sum, term)| *sum += term * sine);
+                let (cosines, sines) = (&mut cosines[order % 2], &mut sines[order % 2]);
+                cosines.iter_mut().zip(even).for_each(|(sum, term)| *sum += term * cosine);
+                sines.iter_mut().zip(odd).for_each(|(sum, term)| *sum += term * sine);
             }
             for power in 0..self.powers {
-                let of = power * TERMS / 2;
-                self.table.push(std::array::from_fn::<f64, TERMS, _>(|m| {
-                    if m % 2 == 0 { evens[of + m / 2] } else { odds[of + m / 2] }
-                }));
+                let term = |m: usize, sign: f64| {
+                    let at = power * TERMS / 2 + m / 2;
+                    if m % 2 == 0 {
+                        cosines[0][at] + sign * cosines[1][at]
+                    } else {
+                        sign * sines[0][at] + sines[1][at]
+                    }
+                };
+                self.table[node * self.powers + power] = std::array::from_fn(|m| term(m, 1.0));
+                let mirrored = (cells - node) * self.powers + power;
+                self.table[mirrored] = std::array::from_fn(|m| term(m, -1.0));
             }
         }
     }

@@ -7,6 +7,7 @@
 use super::CompiledStep;
 use super::envelope::{Extreme, LANES};
 use super::roots::roots;
+use crate::golden_section::golden_section;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -86,8 +87,8 @@ impl<'a> SampledGain<'a> {
             multipliers.iter().map(|z| z.norm()).fold(0.0, f64::max)
         };
         let width = CLOSE * self.phases[1];
-        let (best, _) =
-            golden_sections(&|phase| (-gain(phase), phase), phase - width, phase + width);
+        let around = [phase - width, phase + width];
+        let (best, _) = golden_section(|phase| -gain(phase), around, RESOLUTION);
         gain(phase).min(-best)
     }
 
@@ -121,7 +122,7 @@ impl<'a> SampledGain<'a> {
                 let around = [index - 1, index, index + 1].map(|i| self.phases[i]);
                 // Where two multipliers exchange places the largest has a corner, which parabolas take for found too early.
                 let corner = if sign < 0.0 {
-                    golden_sections(&at, around[0], around[2])
+                    golden_section(|phase| at(phase).0, [around[0], around[2]], RESOLUTION)
                 } else {
                     (f64::NEG_INFINITY, 0.0)
                 };
@@ -189,23 +190,6 @@ impl<'a> SampledGain<'a> {
         }
         best
     }
-}
-
-/// The maximum between two phases with one maximum between them, whatever its shape.
-fn golden_sections(at: &impl Fn(f64) -> Point, mut lower: f64, mut upper: f64) -> Point {
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut left, mut right) =
-        (at(upper - golden * (upper - lower)), at(lower + golden * (upper - lower)));
-    while upper - lower > RESOLUTION {
-        if left.0 < right.0 {
-            (lower, left) = (left.1, right);
-            right = at(lower + golden * (upper - lower));
-        } else {
-            (upper, right) = (right.1, left);
-            left = at(upper - golden * (upper - lower));
-        }
-    }
-    if left.0 > right.0 { left } else { right }
 }
 
 /// `|z|² − 1` of the largest root of `Σ_j y^j Σ_m p^m values[j][m]`, `z = 1 + y`; infinite where the leading coefficient vanishes.

@@ -8,6 +8,7 @@ use super::wave_terms::{difference_terms, primitive_characteristic};
 use crate::exact::float::{ComplexFloat, Float};
 use crate::exact::laurent::{Laurent, Variable};
 use crate::exact::rational::{Rational, integer, to_f64};
+use crate::golden_section::golden_section;
 use crate::interest::Interest;
 use crate::scheme::{SchemeError, Step};
 use crate::stability::at_value::{DemandAt, DemandsAt, zeros_of};
@@ -329,30 +330,10 @@ impl Search<'_> {
 
     /// Where the maximum about a sampled one is, by golden sections.
     fn refined(&self, peak: &Peak) -> f64 {
-        let golden = 0.5 * (5f64.sqrt() - 1.0);
         let value = |x: f64| self.value(&Spot { half: peak.half, x });
-        let (mut lower, mut upper) = (peak.lower, peak.upper);
-        let (mut best, fine) = ((peak.value, peak.x), FINE * (upper - lower));
-        let mut left = upper - golden * (upper - lower);
-        let mut right = lower + golden * (upper - lower);
-        let (mut at_left, mut at_right) = (value(left), value(right));
-        while upper - lower > fine {
-            for (value, x) in [(at_left, left), (at_right, right)] {
-                if value > best.0 {
-                    best = (value, x);
-                }
-            }
-            if at_left < at_right {
-                (lower, left, at_left) = (left, right, at_right);
-                right = lower + golden * (upper - lower);
-                at_right = value(right);
-            } else {
-                (upper, right, at_right) = (right, left, at_left);
-                left = upper - golden * (upper - lower);
-                at_left = value(left);
-            }
-        }
-        best.1
+        let width = FINE * (peak.upper - peak.lower);
+        let (found, x) = golden_section(value, [peak.lower, peak.upper], width);
+        if found > peak.value { x } else { peak.x }
     }
 
     /// `|z|² − 1`, in `f64` where that is known to suffice; logarithmic beyond 1, so that it does not overflow.

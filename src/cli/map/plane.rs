@@ -66,7 +66,12 @@ pub fn run(arguments: &Arguments, x: &PlaneAxis, y: &PlaneAxis) -> Result<Outcom
     for (subject, map) in maps {
         let title: Vec<String> = subject.labels().into_iter().map(|label| label.caption).collect();
         let stem = format!("map_{}_{}_{}", stem(subject), x.name, y.name);
-        super::write(&output, &stem, &map.figure(&title.join(", "))?, || map.data_files(&stem))?;
+        super::write(
+            &output,
+            &stem,
+            || Ok(map.figure(&title.join(", "))?),
+            || map.data_files(&stem),
+        )?;
     }
     Ok(Outcome::Yes)
 }

@@ -161,7 +161,7 @@ pub fn run(arguments: &Arguments, subject: &Subject) -> Result<Outcome, Failure>
     };
     bar.finish();
     let output = OutputDirectory::open(&arguments.out)?;
-    super::write(&output, &stem, &figure, || data)
+    super::write(&output, &stem, || Ok(figure), || data)
 }
 
 fn kernel_of(subject: &Subject) -> Kernel {

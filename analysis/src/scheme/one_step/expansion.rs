@@ -5,11 +5,10 @@
 //! values, and a weight that no coefficient has leaves no uncertainty in it.
 
 use crate::exact::laurent::{Laurent, VARIABLES, Variable};
-use crate::exact::polynomial::Polynomial;
-use crate::exact::rational::{Rational, least_multiple, numerator_over, reduced};
+use crate::exact::rational::{Rational, least_multiple, numerator_over};
 use crate::scheme::kernel_function::KernelFunction;
 use crate::scheme::names::{Letter, LetterKind};
-use crate::scheme::one_step::OffsetCoefficient;
+use crate::scheme::one_step::{Expansion, OffsetCoefficient};
 use crate::scheme::step::{Step, laurent_of};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -21,11 +20,8 @@ struct Shifts {
     denominator: BigInt,
 }
 
-/// Offsets, centers and radii in powers of a parameter.
-type Coefficients = Vec<(i64, Polynomial<Rational>, Polynomial<Rational>)>;
-
 /// The coefficients of an explicit scheme by offset, and whether it keeps constants.
-pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coefficients, bool)> {
+pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Expansion, bool)> {
     let characteristic = step.characteristic().ok()?;
     let levels = characteristic.coefficients(Variable::TIME);
     let [old, new] = levels.as_slice() else { return None };
@@ -100,23 +96,15 @@ pub(super) fn coefficients(step: &Step, parameter: Variable) -> Option<(Coeffici
             powers[power].1 += radius * factor.abs();
         }
     }
-    let total = common * scale;
     let coefficients = sums.into_iter().map(|(offset, powers)| {
-        let over =
-            |(center, radius)| (reduced(center, total.clone()), reduced(radius, total.abs()));
-        let (centers, radii) = powers.into_iter().map(over).unzip();
-        (offset, Polynomial::new(centers), Polynomial::new(radii))
+        let (centers, radii) = powers.into_iter().unzip();
+        OffsetCoefficient { offset: vec![offset], centers, radii }
     });
-    let coefficients =
-        coefficients.filter(|(_, center, radius)| !center.is_zero() || !radius.is_zero());
-    Some((coefficients.collect(), keeps_constants))
+    Some((Expansion::new(coefficients.collect(), common * scale), keeps_constants))
 }
 
 /// The same in several dimensions, where all names but the parameter have values.
-pub(super) fn coefficients_on_torus(
-    step: &Step,
-    parameter: Variable,
-) -> Option<Vec<OffsetCoefficient>> {
+pub(super) fn coefficients_on_torus(step: &Step, parameter: Variable) -> Option<Expansion> {
     let characteristic = step.characteristic().ok()?;
     let levels = characteristic.coefficients(Variable::TIME);
     let [old, new] = levels.as_slice() else { return None };
@@ -124,19 +112,22 @@ pub(super) fn coefficients_on_torus(
     if origin[4..].iter().any(|&power| power != 0) {
         return None;
     }
-    let mut values: BTreeMap<Vec<i64>, Vec<Rational>> = BTreeMap::new();
+    let mut values: BTreeMap<Vec<i64>, Vec<BigInt>> = BTreeMap::new();
     for (exponents, value) in old.terms() {
         let place = |axis: usize| Variable::axis(axis).0;
         let offset = |axis: usize| i64::from(exponents[place(axis)] - origin[place(axis)]);
         let powers = values.entry((0..step.dimension).map(offset).collect()).or_default();
         let power = usize::try_from(exponents[parameter.0]).ok()?;
         if powers.len() <= power {
-            powers.resize(power + 1, Rational::zero());
+            powers.resize(power + 1, BigInt::zero());
         }
-        powers[power] -= Rational::new(value.clone(), unit.clone());
+        powers[power] -= value;
     }
-    let coefficient = |(offset, powers)| (offset, Polynomial::new(powers), Polynomial::zero());
-    Some(values.into_iter().map(coefficient).collect())
+    let coefficients = values.into_iter().map(|(offset, centers)| {
+        let radii = vec![BigInt::zero(); centers.len()];
+        OffsetCoefficient { offset, centers, radii }
+    });
+    Some(Expansion::new(coefficients.collect(), unit.clone()))
 }
 
 /// At `E = 1`.

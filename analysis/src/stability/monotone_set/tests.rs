@@ -207,11 +207,12 @@ proptest! {
 #[test]
 fn roots_of_two_coefficients_are_told_apart_however_near() {
     // √2 and √(2 + 2^−500).
-    let of = |values: Vec<Rational>| Coefficient::new(vec![0], Polynomial::new(values));
+    let of = |values: [BigInt; 4]| Coefficient::new(vec![0], Polynomial::new(values.into()));
     let plan = SearchPlan::default().up_to(integer(10));
-    let [first, second] = [integer(-2), integer(-2) - power_of_two(-500)]
-        .map(|constant| of(vec![constant, integer(0), integer(1)]));
-    let again = of(vec![integer(-6), integer(-2), integer(3), integer(1)]);
+    let unit: BigInt = BigInt::from(1) << 500;
+    let [first, second] = [-2 * &unit, -2 * &unit - 1]
+        .map(|constant| of([constant, 0.into(), unit.clone(), 0.into()]));
+    let again = of([-6, -2, 3, 1].map(BigInt::from));
     let end = |of| Coefficient::roots(of, &plan).pop().map(|root| End { root, of }).unwrap();
     assert_eq!(end(&first).order(&end(&second)), Ordering::Less);
     assert_eq!(end(&second).order(&end(&first)), Ordering::Greater);
@@ -224,7 +225,8 @@ fn roots_of_two_coefficients_are_told_apart_however_near() {
 fn roots_that_their_first_enclosures_do_not_tell_apart_are_ordered() {
     // (x − 1)² − 2^−k, k odd: roots 2^(−k/2) to both sides of 1, which 200 bits do not tell from it.
     let near = |k: i64| {
-        let polynomial = vec![integer(1) - power_of_two(-k), integer(-2), integer(1)];
+        let square = BigInt::from(1) << k;
+        let polynomial = vec![&square - 1, -2 * &square, square];
         Coefficient::new(vec![0], Polynomial::new(polynomial))
     };
     let (nearer, farther) = (near(441), near(439));
@@ -232,7 +234,8 @@ fn roots_that_their_first_enclosures_do_not_tell_apart_are_ordered() {
     let end = |of| Coefficient::roots(of, &plan).pop().map(|root| End { root, of }).unwrap();
     assert_eq!(end(&nearer).order(&end(&farther)), Ordering::Less);
     assert_eq!(end(&farther).order(&end(&nearer)), Ordering::Greater);
-    let once_more = nearer.polynomial.clone() * Polynomial::new(vec![integer(3), integer(1)]);
+    let whole = nearer.polynomial.map(Rational::to_integer);
+    let once_more = whole * Polynomial::new(vec![3.into(), 1.into()]);
     let once_more = Coefficient::new(vec![0], once_more);
     assert_eq!(end(&nearer).order(&end(&once_more)), Ordering::Equal);
     // Negative in between, for however short a stretch, and however soon the range ends behind it.

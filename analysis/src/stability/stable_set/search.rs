@@ -6,6 +6,7 @@ use super::{DEFAULT_BITS, MAX_BOXES, MAX_PATIENCE, StableInterval, StableSet};
 use crate::exact::bernstein::{MarginForm, Sign, Work, is_negative_integer_polynomial};
 use crate::exact::rational::{Rational, integer, product, to_f64};
 use crate::exact::real_roots::power_of_two;
+use crate::golden_section::golden_section;
 use crate::interest::Interest;
 use crate::stability::critical::{UnstableInterval, resolving_phases, sampled_unstable_set};
 use crate::stability::critical_polynomial::CriticalPolynomials;
@@ -22,6 +23,9 @@ const MAX_PIECES: usize = 24;
 
 /// The last relative width of an enclosure that is tried, as a power of one half.
 const LAST_WIDTH: u32 = 22;
+
+/// The part of a value below which a difference is rounding.
+const ROUNDING: f64 = 1e-13;
 
 /// How many stretches of one kind are followed before the rest is left undecided.
 const MAX_STRETCHES: usize = 64;
@@ -278,16 +282,11 @@ impl<'a> Search<'a> {
         let values: Vec<f64> = phases.iter().map(|&phase| at(phase)).collect();
         let best = (0..phases.len()).min_by(|&a, &b| values[a].total_cmp(&values[b]));
         let Some(best) = best else { return 0.0 };
-        let (mut lower, mut upper) =
-            (phases[best.saturating_sub(1)], phases[(best + 1).min(phases.len() - 1)]);
-        let golden = 0.5 * (5f64.sqrt() - 1.0);
-        while upper - lower > 1e-9 * upper {
-            let left = upper - golden * (upper - lower);
-            let right = lower + golden * (upper - lower);
-            if at(left) < at(right) { upper = right } else { lower = left }
-        }
-        let refined = lower.midpoint(upper);
-        if at(refined) < values[best] { refined } else { phases[best] }
+        let around = [phases[best.saturating_sub(1)], phases[(best + 1).min(phases.len() - 1)]];
+        let (negative, refined) = golden_section(|phase| -at(phase), around, 1e-9 * around[1]);
+        // What is gained by rounding alone, as about φ = 0, is none.
+        let is_better = negative > -values[best] * (1.0 + ROUNDING);
+        if is_better { refined } else { phases[best] }
     }
 }
 
