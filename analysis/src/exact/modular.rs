@@ -236,6 +236,7 @@ mod tests {
             prop_assert_eq!(field.value(field.add(x, y)), expected(a + b));
             prop_assert_eq!(field.value(field.subtract(x, y)), expected(a - b));
             prop_assert_eq!(field.value(field.multiply(x, y)), expected((a % prime) * (b % prime)));
+            prop_assert_eq!(field.add(x, field.subtract(0, x)), 0);
             if y != 0 {
                 prop_assert_eq!(field.multiply(field.inverse(y), y), field.one());
             }

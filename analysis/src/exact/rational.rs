@@ -72,7 +72,7 @@ fn parse_decimal(text: &str) -> Result<Rational, ParseRationalError> {
     };
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
     let all: String = [whole, fraction].concat();
-    if all.is_empty() || !all.bytes().all(|byte| byte.is_ascii_digit()) {
+    if !all.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(malformed());
     }
     if all.len() > 120 {

@@ -89,7 +89,7 @@ impl SturmChain {
         chain.retain(|polynomial| !polynomial.is_zero());
         // The last one is the common divisor of p and p'. Without it multiple roots are simple, and
         // the count holds even where an end of the interval is a multiple root.
-        if let Some(common) = chain.last().cloned().filter(|last| last.degree() > Some(0)) {
+        if let Some(common) = chain.last().cloned() {
             chain.iter_mut().for_each(|polynomial| *polynomial = polynomial.divide(&common).0);
         }
         Self { chain }

@@ -106,7 +106,13 @@ impl Margin {
         let unit = Rational::from(denominator.clone());
         Self {
             series,
-            radius: radius.map(|value| (value * &unit).ceil().to_integer()).collect(),
+            // Most data are exact: a product of fractions takes a divisor.
+            radius: radius
+                .map(|value| match value.is_zero() {
+                    true => BigInt::zero(),
+                    false => (value * &unit).ceil().to_integer(),
+                })
+                .collect(),
             denominator,
             phase_power: 0,
             complement_power: 0,

@@ -169,7 +169,7 @@ impl WithSimd for Tabulation<'_> {
             for power in 0..self.powers {
                 let term = |m: usize, sign: f64| {
                     let at = power * TERMS / 2 + m / 2;
-                    if m % 2 == 0 {
+                    if m.is_multiple_of(2) {
                         cosines[0][at] + sign * cosines[1][at]
                     } else {
                         sign * sines[0][at] + sines[1][at]

@@ -86,10 +86,10 @@ pub(super) fn product(left: &Laurent, right: &Laurent) -> Laurent {
     };
     let (left_bits, right_bits) = (bits(left), bits(right));
     let count_bits = u64::from(usize::BITS - rows.len().min(columns.len()).leading_zeros());
-    if dense && left_bits < 63 && right_bits < 63 && left_bits + right_bits + count_bits < 127 {
+    if dense && left_bits + right_bits + count_bits < 127 {
         let small = |polynomial: &Laurent| -> Vec<i128> {
             let values = polynomial.terms().iter();
-            values.map(|(_, value)| value.to_i128().expect("below 63 bits")).collect()
+            values.map(|(_, value)| value.to_i128().expect("below 127 bits")).collect()
         };
         let (a, b) = (small(left), small(right));
         let mut sums = vec![0i128; cells.cells as usize];

@@ -30,6 +30,7 @@ proptest! {
         let b = b.scaled(&(BigInt::from(big) * big));
         prop_assert_eq!(value(&(a.clone() + b.clone())), value(&a) + value(&b));
         prop_assert_eq!(value(&(a.clone() - b.clone())), value(&a) - value(&b));
+        prop_assert_eq!(value(&-a.clone()), -value(&a));
         prop_assert_eq!(value(&(&a * &b)) * &scale, value(&a) * value(&b));
         prop_assert_eq!((&a * &b).conjugate(), a.conjugate() * b.conjugate());
     }
@@ -129,4 +130,14 @@ fn fractions_and_substitutions() {
     let inserted = p.substitute(Variable::name(0), &y, &Laurent::integer(2));
     assert_eq!(inserted, y.clone() * y.clone() * Laurent::integer(3) - Laurent::integer(12));
     assert_eq!(p.coefficients(Variable::name(0))[1], y);
+    assert_eq!(p.derivative(Variable::name(0)), x.scaled(&2.into()) + y.clone());
+    let inverse = Laurent::power_of(Variable::axis(0), -2);
+    let slope = Laurent::power_of(Variable::axis(0), -3).scaled(&(-2).into());
+    assert_eq!(
+        (inverse.derivative(Variable::axis(0)), inverse.content(Variable::axis(0))),
+        (slope, Laurent::integer(1))
+    );
+    // A square of a prime beyond those that are tried.
+    let square = (x.clone() * x.clone()).scaled(&(1009 * 1009).into());
+    assert_eq!(square.square_part(), (x.scaled(&1009.into()), Laurent::integer(1)));
 }

@@ -2,6 +2,7 @@ use super::*;
 use crate::exact::rational::{integer, ratio};
 use num_traits::Signed;
 use proptest::prelude::*;
+use std::rc::Rc;
 
 /// The powers and the coefficients of a sum of terms.
 type Terms = Vec<(Vec<usize>, i64)>;
@@ -166,4 +167,32 @@ fn zeros_at_corners_edges_and_faces_are_resolved() {
         let (CubeSign::NegativeAt(point), _) = sign_on_cube(&p, 20) else { panic!("{p:?}") };
         assert!(p.at(&point).is_negative());
     }
+}
+
+#[test]
+fn what_lies_across_a_blow_up_and_is_not_joined_to_it_is_cut_off() {
+    use super::chart::separating_axis;
+    let along = |dimension, axes: &[usize], others: &[usize], joined: &[usize]| {
+        let others = others.iter().copied();
+        separating_axis(dimension, axes, others, |fixed| fixed == joined)
+    };
+    let nothing = [usize::MAX];
+    // The opposite corner, a neighbour, and one that a face of zeros joins.
+    assert_eq!(along(2, &[0, 1], &[3], &nothing), Some(0));
+    assert_eq!(along(2, &[0, 1], &[1], &nothing), Some(0));
+    assert_eq!(along(2, &[0, 1], &[2], &nothing), Some(1));
+    assert_eq!(along(2, &[0, 1], &[1], &[1]), None);
+    assert_eq!(along(2, &[0, 1], &[1, 3], &[1]), Some(0));
+    assert_eq!(separating_axis(2, &[0, 1], [3].into_iter(), |_| true), Some(0));
+    // Not across: along an axis that is not blown up, or a factor.
+    assert_eq!(along(3, &[0, 1], &[4], &nothing), None);
+    assert_eq!(along(3, &[1, 2], &[5], &nothing), Some(2));
+    assert_eq!((along(2, &[0], &[1], &nothing), along(2, &[0, 1], &[], &nothing)), (None, None));
+    // A factor is no chart; within a chart other coordinates are multiples of the leading one.
+    let chart = |of, axes: Vec<usize>, leader| Origin::Chart { of: Rc::new(of), axes, leader };
+    let inner = chart(Origin::Whole, vec![0, 1], 1);
+    assert_eq!((inner.charts(), chart(Origin::Whole, vec![0], 0).charts()), (1, 0));
+    let point = inner.in_whole(vec![ratio(1, 2), ratio(1, 3), ratio(1, 5)]);
+    assert_eq!(point, [ratio(1, 6), ratio(1, 3), ratio(1, 5)]);
+    assert_eq!(chart(inner, vec![0, 2], 0).charts(), 2);
 }
