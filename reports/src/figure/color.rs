@@ -111,12 +111,6 @@ impl Bands {
     ///
     /// # Panics
     /// If there are fewer than two edges, or they do not increase.
-    ///
-    /// ```
-    /// use courant_reports::figure::{Bands, ColorMap};
-    /// let bands = Bands::new(vec![0.0, 0.5, 1.0], |t| ColorMap::Viridis.at(t));
-    /// let bands = bands.extend_above(ColorMap::Viridis.at(1.0));
-    /// ```
     pub fn new(edges: Vec<f64>, color: impl Fn(f64) -> Color) -> Bands {
         assert!(edges.len() > 1 && edges.windows(2).all(|w| w[0] < w[1]), "edges {edges:?}");
         let bands = edges.len() - 1;

@@ -93,7 +93,12 @@ impl Figure {
                 &format!(r#"role="img" {size}"#),
             )
             .replace(r#"dy="0.5ex""#, &format!(r#"dy="{}em""#, 0.5 * text::CAP_HEIGHT))
-            .replace(r#"dy="-0.5ex""#, &format!(r#"dy="{}em""#, -text::DESCENT)))
+            .replace(r#"dy="-0.5ex""#, &format!(r#"dy="{}em""#, -text::DESCENT))
+            // Titles are a user's: XML has no such characters.
+            .replace(
+                |c: char| c.is_control() && c != '\n' || ('\u{fffe}'..='\u{ffff}').contains(&c),
+                "�",
+            ))
     }
 
     /// The size of the canvas.

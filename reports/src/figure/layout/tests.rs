@@ -138,6 +138,7 @@ fn impossible_figures_are_errors() {
     let two = Figure::grid(1, 1).panels([panel(), panel()]);
     assert!(matches!(two.svg(), Err(FigureError::PanelCount(2, 1, 1))));
     assert!(matches!(Figure::single(panel()).size(0.5, 0.5).png(), Err(FigureError::TooSmall(..))));
-    // No data at all is an empty panel, not an error.
-    assert!(Figure::single(panel()).png().is_ok());
+    // No data at all is an empty panel, not an error, and so is a title that no XML can hold.
+    let svg = Figure::single(panel().title("a\u{1}b\u{ffff}")).svg().unwrap();
+    assert!(svg.contains("a\u{fffd}b\u{fffd}") && raster::png(&svg).is_ok());
 }
