@@ -1,6 +1,6 @@
 //! The Godunov-type SPH scheme on the uniform mass lattice.
 
-use super::flux::{ContactViscosity, Flux, LagrangianFlux};
+use super::flux::{ContactViscosity, Exact, Flux, LagrangianFlux, Rusanov};
 use super::{LagrangianState, Lattice};
 use crate::boundary::Boundary;
 use crate::march::Evolution;
@@ -266,8 +266,17 @@ impl LagrangianScheme {
     }
 
     fn compute_fluxes(&mut self) {
+        match self.flux {
+            Flux::Exact => self.compute(&Exact),
+            Flux::Rusanov => self.compute(&Rusanov),
+            Flux::ModifiedRoe(roe) => self.compute(&roe),
+        }
+    }
+
+    /// One instance of the loop per flux, so that the flux is inlined.
+    fn compute(&mut self, flux: &impl LagrangianFlux) {
         let (reach, count) = (self.lattice.reach(), self.x.len());
-        let (gas, flux, states) = (self.gas, self.flux, &self.states);
+        let (gas, states) = (self.gas, &self.states);
         let offsets = self.lattice.offsets();
         // Nothing presses on a free surface, and the gas goes on as it is.
         let open = self.boundary.map(|end| end == Boundary::Open);
