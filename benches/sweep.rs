@@ -2,13 +2,13 @@
 //!
 //! Work for Godunov SPH with the cubic spline: `|g|² − 1` has three powers of `C` and a degree of up to `2l/Δξ`, 10 in the mean, so that 43
 //! nodes and 12 terms a cell know it. Multiply–adds: samples 9 for each node and point, 62e6 in all (the script: 3.2e8 for 1000 phases); about four cells
-//! are put together and bounded for each point, 66 for each, and two of them followed by three Newton steps, 100 for each, 75e6; tables 6e6. Together 1.4e8.
+//! are put together and bounded for each point, 66 for each, and two of them followed by three Newton steps, 100 for each, 75e6; tables 3e6. Together 1.4e8.
 //!
 //! Measured by profile on one core of a Zen 5 machine with AVX-512: 14 ms of its time for that, 1e10 multiply–adds per second, 16 % of the
 //! peak of 64e9 (two fused ones of eight lanes at 4 GHz). Half of the rest is that no fused instruction is used, so that the bits do
 //! not depend on the machine; the other half latency: Horner's rule in a cell is a chain of 11 multiplications and additions with one
-//! vector in flight, and so are the divisions and the tests whether any lane reaches. 28 ms more go into the equations, weights and tables of 401 ratios.
-//! Both together take 42 ms of one core's time, 21 ms on two; the NumPy script takes 0.31 to 0.33 s of one, as the last line of this bench compares.
+//! vector in flight, and so are the divisions and the tests whether any lane reaches. The other 20 ms go into the equations, weights and tables of 401
+//! ratios. README has the times beside the script's, which the last line of this bench prints.
 
 use courant_analysis::exact::rational::{Rational, ratio as ratio_of};
 use courant_analysis::kernel::Kernel;

@@ -61,7 +61,8 @@ impl Contours {
         Contours { label: label.into(), ..self }
     }
 
-    /// Follows all outlines, unless they are known.
+    /// Follows all outlines, unless they are known. Nothing in here may wait for other work of the thread pool: that work may be a second
+    /// picture, which waits for these outlines.
     pub(super) fn follow(&self) -> &[(f64, Outline)] {
         self.known.get_or_init(|| {
             let bands = self.bands.iter().flat_map(Bands::ascending).map(|band| band.0);

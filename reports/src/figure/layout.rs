@@ -94,9 +94,12 @@ impl Figure {
             )
             .replace(r#"dy="0.5ex""#, &format!(r#"dy="{}em""#, 0.5 * text::CAP_HEIGHT))
             .replace(r#"dy="-0.5ex""#, &format!(r#"dy="{}em""#, -text::DESCENT))
-            // Titles are a user's: XML has no such characters.
+            // Titles are a user's: characters that XML does not have, and those that turn the direction of what follows.
             .replace(
-                |c: char| c.is_control() && c != '\n' || ('\u{fffe}'..='\u{ffff}').contains(&c),
+                |c: char| {
+                    c.is_control() && c != '\n'
+                        || matches!(c, '\u{fffe}'..='\u{ffff}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+                },
                 "�",
             ))
     }

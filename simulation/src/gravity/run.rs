@@ -155,8 +155,10 @@ impl Plan<'_> {
             SmoothingKernel::new(self.options.kernel),
             Smoothing::adaptive(self.options.eta),
             force,
-        )
-        .in_medium(cloud.outside.unwrap_or(0.0));
+        );
+        if let Some(pressure) = cloud.outside {
+            system = system.in_medium(pressure);
+        }
         if cloud.equilibrium {
             // What goes wrong here goes wrong in the first step, which says so.
             let _ = relax(&mut system, force, RELAXATION_STEPS);

@@ -53,7 +53,7 @@ pub(super) fn pair_force<const D: usize>(
     }
 }
 
-fn with_solver<const D: usize, S: StarSolver + 'static>(
+fn with_solver<const D: usize, S: StarSolver>(
     options: &MethodOptions,
     solver: S,
 ) -> Box<dyn PairLoops<D>> {

@@ -113,8 +113,8 @@ pub struct Pairs<'a, const D: usize> {
     /// By number, or empty.
     pub(super) volume_gradient: &'a [Vector<D>],
     pub(super) compression: &'a [f64],
-    /// The pressure of the medium around the gas.
-    pub(super) outside: f64,
+    /// The pressure of the medium around the gas, where there is one.
+    pub(super) outside: Option<f64>,
     /// What forces are multiplied by; `None` is one.
     pub(super) steps: Option<PairSteps<'a>>,
 }
@@ -243,7 +243,10 @@ impl<const D: usize> Pairs<'_, D> {
         work.interactions += 1;
         work.iterations += u64::from(exchange.iterations);
         // Inside the gas the sum of what the medium takes away vanishes; at an edge what is missing of it presses inward.
-        let pressed = exchange.force - self.outside * exchange.weight;
+        let pressed = match self.outside {
+            None => exchange.force,
+            Some(pressure) => exchange.force - pressure * exchange.weight,
+        };
         let factor = match &self.steps {
             None => 1.0,
             Some(steps) => steps.of(self.number(pair.at), self.number(pair.other)),

@@ -64,7 +64,7 @@ pub struct ParticleSystem<const D: usize, G: Gas> {
     pub(super) volume_gradient: Vec<Vector<D>>,
     pub(super) compression: Vec<f64>,
     pub(super) ends: Vec<End<D>>,
-    pub(super) outside: f64,
+    pub(super) outside: Option<f64>,
     /// Work done so far.
     pub counters: Counters,
 }
@@ -108,7 +108,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             },
             compression: if force.needs_compression() { vec![1.0; count] } else { Vec::new() },
             ends: Vec::new(),
-            outside: 0.0,
+            outside: None,
             counters: Counters::default(),
         }
     }
@@ -116,9 +116,8 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
     /// The same gas in a medium of constant pressure. It is taken from the pressures of every pair: inside the gas its sum over
     /// the neighbours vanishes, at an edge what is missing of it presses inward.
     #[must_use]
-    pub fn in_medium(mut self, pressure: f64) -> Self {
-        self.outside = pressure;
-        self
+    pub fn in_medium(self, pressure: f64) -> Self {
+        Self { outside: Some(pressure), ..self }
     }
 
     /// Takes out the particles that are not to be kept. Fields and pairs are those of before until they are

@@ -285,7 +285,7 @@ impl<'a> Search<'a> {
         let around = [phases[best.saturating_sub(1)], phases[(best + 1).min(phases.len() - 1)]];
         let (negative, refined) = golden_section(|phase| -at(phase), around, 1e-9 * around[1]);
         // What is gained by rounding alone, as about φ = 0, is none.
-        let is_better = negative > -values[best] * (1.0 + ROUNDING);
+        let is_better = negative > -values[best] + ROUNDING * values[best].abs();
         if is_better { refined } else { phases[best] }
     }
 }
