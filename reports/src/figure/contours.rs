@@ -61,8 +61,7 @@ impl Contours {
         Contours { label: label.into(), ..self }
     }
 
-    /// Follows all outlines, unless they are known. Nothing in here may wait for other work of the thread pool: that work may be a second
-    /// picture, which waits for these outlines.
+    /// Follows all outlines, unless they are known. It must not wait for the thread pool, where a second picture may wait for it.
     pub(super) fn follow(&self) -> &[(f64, Outline)] {
         self.known.get_or_init(|| {
             let bands = self.bands.iter().flat_map(Bands::ascending).map(|band| band.0);

@@ -14,6 +14,9 @@ const PANEL_GAP: f64 = 7.0 * POINT;
 const BAR_GAP: f64 = 9.0 * POINT;
 /// Around everything.
 const PAGE_MARGIN: f64 = 4.0 * POINT;
+/// What XML does not have, and what turns the direction of all that follows: titles are a user's.
+const UNDRAWN: &str =
+    "\u{fffe}\u{ffff}\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2066}\u{2067}\u{2068}\u{2069}";
 
 /// Panels in a grid, with title and colour bars in common, and below them a legend of all layers that have a label.
 ///
@@ -94,14 +97,7 @@ impl Figure {
             )
             .replace(r#"dy="0.5ex""#, &format!(r#"dy="{}em""#, 0.5 * text::CAP_HEIGHT))
             .replace(r#"dy="-0.5ex""#, &format!(r#"dy="{}em""#, -text::DESCENT))
-            // Titles are a user's: characters that XML does not have, and those that turn the direction of what follows.
-            .replace(
-                |c: char| {
-                    c.is_control() && c != '\n'
-                        || matches!(c, '\u{fffe}'..='\u{ffff}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-                },
-                "�",
-            ))
+            .replace(|c: char| c.is_control() && c != '\n' || UNDRAWN.contains(c), "�"))
     }
 
     /// The size of the canvas.
