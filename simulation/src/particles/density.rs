@@ -5,6 +5,7 @@ use super::neighbours::Neighbours;
 use super::parallel::{fill, for_each_block};
 use super::smoothing_kernel::{RadialKernel, SmoothingKernel};
 use super::vector::{Vector, dot};
+use crate::boundary::Boundary;
 use crate::run::Reason;
 
 /// How smoothing lengths are chosen.
@@ -12,7 +13,7 @@ use crate::run::Reason;
 pub enum Smoothing {
     /// They stay as they were given.
     Constant,
-    /// `h_i = η (m_i/ρ_i)^(1/D)` with the density summed with that very `h_i`.
+    /// `h_i = η (m_i/ρ_i)^(1/D)` with the density summed with that very `h_i`; where all gas together is too little for any, as given.
     Adaptive {
         /// `η`: the smoothing length in particle spacings.
         eta: f64,
@@ -115,7 +116,7 @@ impl<const D: usize> DensitySum<D> {
         if let Smoothing::Estimated { pilot, scale, sensitivity, counted } = self.rule {
             smoothing.fill(pilot);
             neighbours.search_from(domain, position, None, |_| pilot * range);
-            self.sum(mass, smoothing, density, 0.0, neighbours)?;
+            self.sum(mass, f64::INFINITY, smoothing, density, 0.0, neighbours)?;
             let inside = &density[counted[0]..counted[1]];
             let mean = inside.iter().map(|rho| rho.ln()).sum::<f64>() / inside.len() as f64;
             for (h, rho) in smoothing.iter_mut().zip(&*density) {
@@ -123,8 +124,14 @@ impl<const D: usize> DensitySum<D> {
             }
             let lengths = &*smoothing;
             neighbours.search_from(domain, position, None, |i| lengths[i] * range);
-            return self.sum(mass, smoothing, density, 0.0, neighbours).map(|_| ());
+            return self.sum(mass, f64::INFINITY, smoothing, density, 0.0, neighbours).map(|_| ());
         }
+        // Images are without end.
+        let open = |end: &Boundary| matches!(end, Boundary::Open | Boundary::Transmissive);
+        let total = match domain.boundary.as_flattened().iter().all(open) {
+            true => mass.iter().sum(),
+            false => f64::INFINITY,
+        };
         let mut margin = margin(D);
         for _ in 0..MOST_SEARCHES {
             let lengths = &*smoothing;
@@ -134,7 +141,7 @@ impl<const D: usize> DensitySum<D> {
                 neighbours.search_from(domain, position, active, |i| lengths[i] * range * margin);
                 0.0
             });
-            if !self.sum(mass, smoothing, density, slack, neighbours)? {
+            if !self.sum(mass, total, smoothing, density, slack, neighbours)? {
                 return Ok(());
             }
             margin = 1.5;
@@ -142,10 +149,11 @@ impl<const D: usize> DensitySum<D> {
         Err(Reason::SmoothingLength { particle: 0 })
     }
 
-    /// One pass over the active particles; whether some need pairs from further away.
+    /// One pass over the active particles, of which there is a `total` mass in all; whether some need pairs from further away.
     fn sum(
         &mut self,
         masses: &[f64],
+        total: f64,
         smoothing: &mut [f64],
         density: &mut [f64],
         slack: f64,
@@ -159,6 +167,7 @@ impl<const D: usize> DensitySum<D> {
         }
         let range = self.kernel.support() * self.reach;
         let (kernel, rule, mass, lengths) = (&self.kernel, self.rule, &self.mass, &*smoothing);
+        let highest = kernel.value(0.0, 1.0);
         for_each_block(&mut self.scratch, &|scratch| {
             let block = &neighbours.blocks[scratch.block];
             scratch.outcomes.clear();
@@ -195,6 +204,12 @@ impl<const D: usize> DensitySum<D> {
                         };
                         let own = own * kernel.value(0.0, h);
                         Outcome::Done { density: others.map(term).fold(own, |a, b| a + b), h }
+                    }
+                    // Whoever sees too little mass however far it looks asks for an h beyond every h: it keeps its own.
+                    Smoothing::Adaptive { eta, .. }
+                        if total * highest <= eta.powi(D as i32) * own =>
+                    {
+                        Outcome::Done { density: sums(h).0, h }
                     }
                     Smoothing::Adaptive { eta, tolerance } => {
                         newton::<D>(sums, eta, own, h, tolerance, widest)

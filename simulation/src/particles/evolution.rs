@@ -221,8 +221,7 @@ impl<const D: usize, G: Gas, B: BodyForce<D>> Evolution for ParticleEvolution<D,
         let impulse = self.wall_impulse();
         self.wanted = None;
         self.step(step).inspect_err(|_| {
-            // Breaks come before particles are taken out: there are as many as before.
-            std::mem::swap(&mut self.before, &mut self.system.particles);
+            self.system.exchange(&mut self.before);
             self.set_wall_impulse(impulse);
             self.body.restore();
             // They were physical before the step.

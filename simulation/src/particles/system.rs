@@ -129,11 +129,22 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         keep_only(&mut state.mass, &keep);
         keep_only(&mut state.thermal, &keep);
         keep_only(&mut state.smoothing, &keep);
-        let count = state.len();
+        self.fit_fields();
+    }
+
+    /// Exchanges the state with another, which may have more particles: fields and pairs are not of it until they are
+    /// [updated](Self::update_fields).
+    pub(super) fn exchange(&mut self, other: &mut Particles<D, G::Thermal>) {
+        std::mem::swap(other, &mut self.particles);
+        self.fit_fields();
+    }
+
+    /// As many values as particles; what only some forces need is as long as it ever was.
+    fn fit_fields(&mut self) {
+        let count = self.particles.len();
         for field in [&mut self.density, &mut self.pressure, &mut self.sound_speed] {
-            field.truncate(count);
+            field.resize(count, 0.0);
         }
-        self.volume_gradient.truncate(count);
     }
 
     /// Densities by summation, as of the last evaluation.

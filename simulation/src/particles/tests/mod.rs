@@ -1,6 +1,7 @@
 //! The particle code against slower or independent computations.
 
 mod blocks;
+mod few;
 mod linear;
 mod neighbours;
 mod pairs;
