@@ -7,6 +7,7 @@
 mod divisor;
 mod print;
 mod product;
+mod square_free;
 
 pub(crate) use divisor::common_divisor;
 pub use divisor::greatest_common_divisor;
@@ -370,6 +371,21 @@ impl Mul for &Laurent {
     type Output = Laurent;
     fn mul(self, other: Self) -> Laurent {
         product::product(self, other)
+    }
+}
+
+impl Zero for Laurent {
+    fn zero() -> Self {
+        Self::default()
+    }
+    fn is_zero(&self) -> bool {
+        self.terms().is_empty()
+    }
+}
+
+impl One for Laurent {
+    fn one() -> Self {
+        Self::constant(BigInt::one())
     }
 }
 

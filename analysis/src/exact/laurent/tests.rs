@@ -1,4 +1,4 @@
-use super::divisor::square_free_factors;
+use super::square_free::square_free_factors;
 use super::*;
 use proptest::prelude::*;
 
