@@ -161,9 +161,10 @@ impl Section {
                     (format!("{name}.md"), table.to_markdown().into_bytes()),
                 ]),
                 Item::Figure { name, figure, data, .. } => {
+                    let svg = figure.svg()?;
                     let mut files = vec![
-                        (format!("{name}.png"), figure.png()?),
-                        (format!("{name}.svg"), figure.svg()?.into_bytes()),
+                        (format!("{name}.png"), svg.png()?),
+                        (format!("{name}.svg"), svg.as_bytes().into()),
                     ];
                     files.extend(data.iter().cloned());
                     Ok(files)

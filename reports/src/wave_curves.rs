@@ -277,7 +277,8 @@ mod tests {
         assert_eq!(curves[1].lines(|w| Some(w.gain()), true).len(), 2);
         assert_eq!(curves[1].lines(BranchWave::phase_error, false).len(), 1);
         let figure = figure("test", &curves, &[]);
-        assert!(figure.png().is_ok() && figure.svg().unwrap().starts_with("<svg"));
+        let svg = figure.svg().unwrap();
+        assert!(svg.png().is_ok() && svg.starts_with("<svg"));
     }
 
     #[test]

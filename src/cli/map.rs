@@ -114,11 +114,11 @@ fn write(
 ) -> Result<Outcome, Failure> {
     let file = |name: &str, bytes: &[u8]| output.prepare(name, bytes).map_err(Failure::from);
     let pictures = || {
-        let figure = figure()?;
-        let png = || file(&format!("{stem}.png"), &figure.png()?);
-        let svg = || file(&format!("{stem}.svg"), figure.svg()?.as_bytes());
-        let (png, svg) = rayon::join(png, svg);
-        Ok([png?, svg?])
+        let svg = figure()?.svg()?;
+        Ok([
+            file(&format!("{stem}.png"), &svg.png()?)?,
+            file(&format!("{stem}.svg"), svg.as_bytes())?,
+        ])
     };
     let data = || data().par_iter().map(|(name, bytes)| file(name, bytes)).collect();
     let (pictures, data): (Result<_, Failure>, Result<Vec<Prepared>, Failure>) =

@@ -20,7 +20,7 @@ pub struct Contours {
     pub(super) width: f64,
     values: bool,
     pub(super) label: String,
-    /// Levels, ascending, and their outlines: followed once, for bands and lines, PNG and SVG.
+    /// Levels, ascending, and their outlines: followed once, for bands and lines.
     known: OnceLock<Vec<(f64, Outline)>>,
 }
 
@@ -61,7 +61,7 @@ impl Contours {
         Contours { label: label.into(), ..self }
     }
 
-    /// Follows all outlines, unless they are known. It must not wait for the thread pool, where a second picture may wait for it.
+    /// Follows all outlines, unless they are known.
     pub(super) fn follow(&self) -> &[(f64, Outline)] {
         self.known.get_or_init(|| {
             let bands = self.bands.iter().flat_map(Bands::ascending).map(|band| band.0);

@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Done};
 use super::geometry::Rect;
 use super::legend::Legend;
 use super::panel::Plot;
-use super::{Color, ColorBar, FigureError, POINT, Panel, raster, text};
+use super::{Color, ColorBar, FigureError, POINT, Panel, Svg, text};
 use plotters::{backend::SVGBackend, drawing::IntoDrawingArea};
 
 const TITLE_SIZE: f64 = 10.5;
@@ -19,8 +19,6 @@ const UNDRAWN: &str =
     "\u{fffe}\u{ffff}\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2066}\u{2067}\u{2068}\u{2069}";
 
 /// Panels in a grid, with title and colour bars in common, and below them a legend of all layers that have a label.
-///
-/// The picture is made in memory as PNG or SVG; both show the same, and equal figures give equal bytes.
 #[derive(Debug, Clone)]
 pub struct Figure {
     grid: (usize, usize),
@@ -70,34 +68,25 @@ impl Figure {
         self
     }
 
-    /// The picture as PNG at 300 dots per inch, with its size recorded in the file.
-    ///
-    /// # Errors
-    /// As [`Figure::svg`].
-    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        raster::png(&self.svg()?)
-    }
-
-    /// The picture as SVG. Axes, titles and legends are text.
+    /// Draws it, as SVG, which is [rendered](Svg::png) as PNG.
     ///
     /// # Errors
     /// If an axis has an impossible range, or the panels do not fit.
-    pub fn svg(&self) -> Result<String, FigureError> {
+    pub fn svg(&self) -> Result<Svg, FigureError> {
         let mut document = String::new();
         let (width, height) = self.units();
         self.draw(SVGBackend::with_string(&mut document, (width, height)))?;
         let [wide, high] = [width, height].map(|units| f64::from(units) / (72.0 * POINT));
-        let size = format!(r#"stroke-linejoin="round" width="{wide}in" height="{high}in""#);
-        // Its physical size instead of units of the canvas; letters centred by their capitals or standing on their
-        // descenders, where plotters counts in x-heights, which depend on the viewer.
-        Ok(document
-            .replace(
-                &format!(r#"width="{width}" height="{height}""#),
-                &format!(r#"role="img" {size}"#),
-            )
+        let units = format!(r#"width="{width}" height="{height}""#);
+        let size =
+            format!(r#"role="img" stroke-linejoin="round" width="{wide}in" height="{high}in""#);
+        // In inches; letters centred by their capitals or standing on descenders: plotters' x-heights depend on the viewer.
+        let document = document
+            .replace(&units, &size)
             .replace(r#"dy="0.5ex""#, &format!(r#"dy="{}em""#, 0.5 * text::CAP_HEIGHT))
             .replace(r#"dy="-0.5ex""#, &format!(r#"dy="{}em""#, -text::DESCENT))
-            .replace(|c: char| c.is_control() && c != '\n' || UNDRAWN.contains(c), "�"))
+            .replace(|c: char| c.is_control() && c != '\n' || UNDRAWN.contains(c), "�");
+        Ok(Svg(document))
     }
 
     /// The size of the canvas.

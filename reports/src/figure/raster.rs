@@ -15,31 +15,44 @@ pub(super) static OPTIONS: LazyLock<Options<'static>> = LazyLock::new(|| {
     Options { dpi: DPI, fontdb: Arc::new(fonts), ..Options::default() }
 });
 
-/// An opaque SVG as PNG, with its physical size recorded.
-pub(super) fn png(svg: &str) -> Result<Vec<u8>, FigureError> {
-    let picture = Tree::from_str(svg, &OPTIONS)?;
-    let size = [picture.size().width(), picture.size().height()];
-    let [columns, rows] = size.map(|length| length.round() as u32);
-    let mut pixels = Pixmap::new(columns, rows).expect("a plot is larger than a dot");
-    resvg::render(&picture, Transform::identity(), &mut pixels.as_mut());
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, columns, rows);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let (per_metre, unit) = ((DPI / 0.0254).round() as u32, png::Unit::Meter);
-    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit }));
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    encoder.set_compression(png::Compression::Fast);
-    encoder.set_filter(png::Filter::Up);
-    let mut writer = encoder.write_header()?;
-    // Painted on white nothing is transparent: three bytes of four, in their own place.
-    let mut opaque = pixels.take();
-    let count = opaque.len() / 4;
-    for k in 0..count {
-        let [red, green, blue] = [0, 1, 2].map(|part| opaque[4 * k + part]);
-        opaque[3 * k..3 * k + 3].copy_from_slice(&[red, green, blue]);
+/// A figure drawn as SVG, in which axes, titles and legends are text.
+#[derive(Debug, PartialEq)]
+pub struct Svg(pub(super) String);
+
+impl std::ops::Deref for Svg {
+    type Target = String;
+    fn deref(&self) -> &String {
+        &self.0
     }
-    writer.write_image_data(&opaque[..3 * count])?;
-    writer.finish()?;
-    Ok(bytes)
+}
+
+impl Svg {
+    /// The same picture as PNG at 300 dots per inch, with its size recorded in the file.
+    ///
+    /// # Errors
+    /// If it cannot be rendered or encoded.
+    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        let picture = Tree::from_str(self, &OPTIONS)?;
+        let size = picture.size();
+        let [columns, rows] = [size.width(), size.height()].map(|length| length.round() as u32);
+        let mut pixels = Pixmap::new(columns, rows).expect("a plot is larger than a dot");
+        resvg::render(&picture, Transform::identity(), &mut pixels.as_mut());
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, columns, rows);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let [xppu, yppu] = [(DPI / 0.0254).round() as u32; 2];
+        let density = png::PixelDimensions { xppu, yppu, unit: png::Unit::Meter };
+        encoder.set_pixel_dims(Some(density));
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        encoder.set_compression(png::Compression::Fast);
+        encoder.set_filter(png::Filter::Up);
+        let mut writer = encoder.write_header()?;
+        // Painted on white nothing is transparent.
+        let dots = pixels.data().as_chunks().0.iter();
+        let opaque: Vec<u8> = dots.flat_map(|&[red, green, blue, _]| [red, green, blue]).collect();
+        writer.write_image_data(&opaque)?;
+        writer.finish()?;
+        Ok(bytes)
+    }
 }

@@ -92,12 +92,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         pairs.into_par_iter().map(|(case, along)| curve(arguments, case, along)).collect();
     let labels: Vec<Vec<Label>> = cases.iter().map(Case::labels).collect();
     let varying = varying(&labels);
-    let picture = picture::figure(&cases, &curves, &labels, &varying);
+    let svg = picture::figure(&cases, &curves, &labels, &varying).svg()?;
     let stem = picture::stem(&labels);
-    let mut files = vec![
-        (format!("{stem}.png"), picture.png()?),
-        (format!("{stem}.svg"), picture.svg()?.into_bytes()),
-    ];
+    let mut files =
+        vec![(format!("{stem}.png"), svg.png()?), (format!("{stem}.svg"), svg.as_bytes().into())];
     files.extend(rows::files(&curves, &stem));
     let output = OutputDirectory::open(&arguments.out)?;
     let mut written = Vec::new();

@@ -2,6 +2,7 @@
 
 use crate::cli::Failure;
 use crate::cli::output::{Format, paragraphs, print, print_records, warnings};
+use courant::reports::figure::{Figure, FigureError};
 use courant::reports::number::significant;
 use courant::reports::publish::OutputDirectory;
 use courant::reports::run_record::{RunRecord, RunReport, method_title};
@@ -29,8 +30,12 @@ impl Answer {
         let json = serde_json::to_string_pretty(&record)
             .map_err(|error| Failure::Message(error.to_string()))?;
         files.push((".json", format!("{json}\n").into_bytes()));
-        match figure.map(|figure| figure.png().and_then(|png| Ok((png, figure.svg()?)))) {
-            Some(Ok((png, svg))) => files.extend([(".png", png), (".svg", svg.into_bytes())]),
+        let drawn = |figure: Figure| {
+            let svg = figure.svg()?;
+            Ok::<_, FigureError>([(".png", svg.png()?), (".svg", svg.as_bytes().into())])
+        };
+        match figure.map(drawn) {
+            Some(Ok(pictures)) => files.extend(pictures),
             Some(Err(error)) if record.completed => return Err(error.into()),
             // A state that is not finite has no picture; the table of it is still there.
             Some(Err(_)) | None => {}
