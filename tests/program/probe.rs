@@ -1,9 +1,8 @@
 //! `courant probe`: programs that courant knows nothing of.
 
-use assert_cmd::Command;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::process::Output;
+use std::process::{Command, Output};
 
 fn probe(words: &[&str]) -> Output {
     super::courant(&[&["probe"], words].concat())
@@ -76,8 +75,7 @@ fn staggered_codes_in_two_dimensions_have_the_limit_of_the_literature() {
     let answer = json(&[&options[..], &yee].concat());
     let equations = answer["equations"].as_array().unwrap();
     let typed: Vec<&str> = equations.iter().map(|line| line.as_str().unwrap()).collect();
-    let limits = Command::cargo_bin("courant")
-        .unwrap()
+    let limits = Command::new(env!("CARGO_BIN_EXE_courant"))
         .args(["limits", "--format", "json", "--equation", &typed.join("; ")])
         .output()
         .unwrap();
