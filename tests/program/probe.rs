@@ -48,7 +48,7 @@ fn upwind_in_numpy_has_its_limit_and_verdicts() {
         return;
     }
     let words = ["--", "python3", "examples/probe/upwind.py", "{in}", "{out}", "{C}"];
-    let answer = json(&[&["--set", "C=1/2,1.25"], &words[..]].concat());
+    let answer = json(&[&["--set", "C=1/2,1.25", "--fit", "1/4:1:1/4"], &words[..]].concat());
     assert_eq!(answer["schema"], "courant.probe/1");
     assert_eq!(answer["equations"][0], "u[n+1,j] = C*u[n,j-1] + (1 - C)*u[n,j]");
     assert_eq!((&answer["recognised"], &answer["keeps_constants"]), (&true.into(), &true.into()));
