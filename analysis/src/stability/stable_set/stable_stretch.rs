@@ -256,6 +256,9 @@ mod tests {
         assert_eq!(asked.work.cells, 0);
         assert!(edge.lower <= integer(1) && edge.upper >= integer(1));
         assert!(&edge.upper - &edge.lower < ratio(1, 1 << 50));
+        // Also where halving meets the end.
+        let Stretch::Ends(edge) = search().bisect(&integer(0), at(2)) else { panic!() };
+        assert_eq!(edge.lower, integer(1));
         // Within 2^−20 of 3 − t: up to where some data may be unstable, from where all are.
         let width = ratio(1, 1 << 20);
         let blurred = margin(&[&[3 << 20], &[-(1 << 20)]], &integer(1));
