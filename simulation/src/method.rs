@@ -175,9 +175,11 @@ impl Method {
         let Start { mut evolution, waiting, max_steps } = self.start(scene, particles)?;
         let limits = Limits { steps: max_steps };
         // Inside the pool a small parallel loop costs no hand-over between threads.
+        let observe = |_: &_, time| observe(time);
         let mut run = rayon::scope(|_| {
-            Run::of(&mut *evolution, waiting, scene.end_time, limits, &mut observe)
+            Run::of(&mut *evolution, scene.end_time, limits, observe, |state| state.profile())
         });
+        run.waiting = waiting;
         run.warnings.extend(self.unresolved(scene, particles));
         Ok(run)
     }

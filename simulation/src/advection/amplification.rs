@@ -4,9 +4,10 @@ use super::faulty::{Fault, Faulty};
 use super::method::{Method, MethodError};
 use super::modes::RingModes;
 use super::random::SplitMix64;
-use super::ring::{Ring, RingError};
+use super::ring::RingError;
+use super::run::Layout;
 use super::scheme::Discretisation;
-use super::stepper::{PathKind, Stepper};
+use super::stepper::Stepper;
 use courant_analysis::exact::stencil::Stencil;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -80,8 +81,8 @@ pub struct ValidationPlan {
     pub particles: usize,
     /// How many steps.
     pub steps: u64,
-    /// Which code steps.
-    pub path: PathKind,
+    /// Where the particles are and which code steps them; where they are not equally spaced, waves mix and nothing agrees.
+    pub layout: Layout,
     /// A deliberate error of the stepping code, to see the check fail.
     pub fault: Option<Fault>,
 }
@@ -96,7 +97,7 @@ pub struct ValidationPlan {
 ///
 /// # Panics
 /// When there are no steps.
-pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) -> Vec<Complex64> {
+pub fn measure_amplification(stepper: &mut dyn Stepper, steps: u64) -> Vec<Complex64> {
     assert!(steps > 0, "a mean needs a step");
     let modes = RingModes::new(stepper.state().len());
     let mut random = SplitMix64::new(0x6d6f_6465);
@@ -127,7 +128,7 @@ pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) 
 /// # Panics
 /// When there are no steps.
 pub fn compare_with_prediction(
-    stepper: &mut (impl Stepper + ?Sized),
+    stepper: &mut dyn Stepper,
     stencil: &Stencil<f64>,
     steps: u64,
 ) -> Validation {
@@ -173,7 +174,7 @@ fn tolerance(stencil: &Stencil<f64>, particles: usize) -> f64 {
 /// ```
 /// use courant_analysis::{kernel::Kernel, exact::rational::ratio};
 /// use courant_simulation::advection::{
-///     AdvectionScheme, Discretisation, PathKind, ValidationPlan, validate,
+///     AdvectionScheme, Discretisation, Layout, ValidationPlan, validate,
 /// };
 /// let plan = ValidationPlan {
 ///     discretisation: Discretisation::new(
@@ -181,7 +182,7 @@ fn tolerance(stencil: &Stencil<f64>, particles: usize) -> f64 {
 ///     courant_number: 0.75,
 ///     particles: 50,
 ///     steps: 100,
-///     path: PathKind::Particles,
+///     layout: Layout::Uniform,
 ///     fault: None,
 /// };
 /// let validation = validate(&plan).unwrap();
@@ -196,15 +197,12 @@ pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
     if plan.steps == 0 {
         return Err(ValidationError::NoSteps);
     }
-    let ring = Ring::uniform(plan.particles, plan.particles as f64)?;
-    let stepper = plan.path.on_uniform(method, &ring);
+    let (_, mut inner) = plan.layout.stepper(method, plan.particles, plan.particles as f64)?;
+    if let Some(fault) = plan.fault {
+        inner = Box::new(Faulty { inner, fault });
+    }
     let stencil = plan.discretisation.stencil(plan.courant_number);
-    let compare =
-        |mut stepper: Box<dyn Stepper>| compare_with_prediction(&mut stepper, &stencil, plan.steps);
-    Ok(match plan.fault {
-        None => compare(stepper),
-        Some(fault) => compare(Box::new(Faulty::new(stepper, fault))),
-    })
+    Ok(compare_with_prediction(&mut *inner, &stencil, plan.steps))
 }
 
 /// Gain and phase per step of one mode over a free run.
@@ -221,7 +219,7 @@ pub struct ModeFit {
 ///
 /// Nothing is touched in between. Rounding feeds all modes, so the fit holds while
 /// `(max|g| / |g_m|)^steps` stays well below `1/ε`. `None` when the amplitude vanished or overflowed.
-pub fn fit_mode(stepper: &mut (impl Stepper + ?Sized), mode: usize, steps: u64) -> Option<ModeFit> {
+pub fn fit_mode(stepper: &mut dyn Stepper, mode: usize, steps: u64) -> Option<ModeFit> {
     let modes = RingModes::new(stepper.state().len());
     let mut amplitudes = vec![Complex64::new(0.0, 0.0); modes.count()];
     amplitudes[mode] = Complex64::new(1.0, 0.0);

@@ -79,7 +79,7 @@ impl Growth {
 }
 
 /// Fills a stepper with noise: uniform in `[−1, 1)`, mean zero.
-pub fn seed_with_noise(stepper: &mut (impl Stepper + ?Sized), seed: u64) {
+pub fn seed_with_noise(stepper: &mut dyn Stepper, seed: u64) {
     let mut random = SplitMix64::new(seed);
     let mut values: Vec<f64> = stepper.state().iter().map(|_| random.symmetric()).collect();
     remove_mean(&mut values);
@@ -127,7 +127,7 @@ fn is_settled(rates: &[f64]) -> bool {
 ///
 /// # Panics
 /// When there are fewer than five windows or no steps in them.
-pub fn measure_growth(stepper: &mut (impl Stepper + ?Sized), plan: &GrowthPlan) -> Growth {
+pub fn measure_growth(stepper: &mut dyn Stepper, plan: &GrowthPlan) -> Growth {
     assert!(plan.windows > CONFIRMING_WINDOWS && plan.steps_per_window > 0, "too short a plan");
     let mut values = stepper.state().to_vec();
     let mean_gain = plan.mean_apart.then(|| {

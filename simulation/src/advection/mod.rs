@@ -33,7 +33,7 @@ pub use amplification::{
 };
 pub use cost::{Recommendation, pareto_front, recommend};
 pub use disorder::{DisorderGrowth, DisorderRow, DisorderStudy, gain_against_disorder};
-pub use faulty::{Fault, Faulty};
+pub use faulty::Fault;
 pub use growth::{Growth, GrowthPlan, GrowthVerdict, measure_growth, seed_with_noise};
 pub use lattice_path::{LatticeCoefficients, LatticePath};
 pub use limit::{
@@ -51,7 +51,7 @@ pub use ring::{Ring, RingError};
 pub use run::{AdvectionRun, Layout, PlanError, RunPlan, run, run_with};
 pub use scene::{AdvectionScene, Piece};
 pub use scheme::{AdvectionScheme, Discretisation, UnknownScheme};
-pub use stepper::{PathKind, Stepper};
+pub use stepper::Stepper;
 
 #[cfg(test)]
 mod tests;

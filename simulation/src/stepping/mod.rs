@@ -21,6 +21,7 @@ mod torus_scheme;
 mod validation;
 
 pub use bracket::{Bracket, NoisePlan, NoiseRun, bracket_limit, noise_run};
+pub(crate) use eigenvalues::eigenvalues;
 pub use lattice::PerAxis;
 pub use propagator::Propagator;
 pub use runs::Run;

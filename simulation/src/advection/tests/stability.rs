@@ -93,19 +93,6 @@ fn limits_by_run_are_those_of_the_ring_and_bound_the_proved_ones() {
 }
 
 #[test]
-fn the_ring_comes_closer_to_the_lattice_as_it_grows() {
-    // Long wave: the difference is O(1/N²).
-    let discretisation = discretisation(AdvectionScheme::GodunovSph, Kernel::CubicSpline, "2");
-    let excess = |particles| {
-        let plan = GrowthPlan::settling(10_000, 64);
-        let found = compare_limits(&discretisation, particles, &integer(10), 1e-7, &plan).unwrap();
-        found.measured.stable.midpoint(found.measured.unstable) - 15.0 / 8.0
-    };
-    let quotient = excess(16) / excess(32);
-    assert!((quotient - 4.0).abs() < 0.2, "{quotient}");
-}
-
-#[test]
 fn euler_is_unstable_at_once_and_a_bad_bracket_is_told() {
     let euler = discretisation(AdvectionScheme::EulerSph, Kernel::CubicSpline, "2");
     let found =

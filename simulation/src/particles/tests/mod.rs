@@ -2,7 +2,6 @@
 
 mod blocks;
 mod few;
-mod linear;
 mod neighbours;
 mod pairs;
 mod runs;

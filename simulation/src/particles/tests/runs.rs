@@ -159,23 +159,6 @@ fn exact_isothermal_solver_and_two_shocks_differ_as_their_star_states_do() {
     }
 }
 
-#[test]
-fn blocks_of_steps_conserve_and_save_pairs() {
-    for method in [ParticleMethod::Gph3, ParticleMethod::Gph4] {
-        let global = run("strong-blast", method, |_| {});
-        let block = run("strong-blast", method, |options| {
-            options.sharing = StepSharing::Block { levels: 4 };
-        });
-        assert!(block.completed(), "{:?}", block.failure);
-        assert!(block.conservation.momentum.abs() < 1e-14);
-        assert!(block.conservation.energy.expect("an energy equation").abs() < 1e-13);
-        assert!(block.counters.interactions < global.counters.interactions);
-        let scene = Scene::named("strong-blast").expect("it is in the list");
-        let error = |run: &Run| error(&scene, run);
-        assert!(error(&block) < 1.5 * error(&global), "{} {}", error(&block), error(&global));
-    }
-}
-
 /// What the count of penetration is for. With constant smoothing lengths the streams of the paper's supersonic
 /// collision pass through each other unless something dissipates; at three times the sound speed each, the
 /// first-order Riemann solver is not enough any more, and the quadratic viscosity is. Smoothing lengths
