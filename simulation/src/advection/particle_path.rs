@@ -89,11 +89,6 @@ impl ParticlePath {
         let count = ring.positions().len();
         Self { neighbours, update, values: vec![0.0; count], next: vec![0.0; count] }
     }
-
-    /// The neighbours found.
-    pub fn neighbours(&self) -> &Neighbours {
-        &self.neighbours
-    }
 }
 
 /// The new value of particle `i`. The order of summation is that of the neighbours, whatever the threads.

@@ -2,7 +2,6 @@
 
 use super::density::Smoothing;
 use super::integrator::{Integrator, Work, table};
-use super::pair_weight::VolumeInterpolation;
 use super::viscous::Viscosity;
 use crate::run::{InvalidOptions, not_negative, positive};
 use crate::scene::MIN_PARTICLES;
@@ -156,8 +155,6 @@ pub struct MethodOptions {
     pub solver: SolverChoice,
     /// The artificial viscosity of SPH.
     pub viscosity: Viscosity,
-    /// The specific volume between particles in case 4.
-    pub volume: VolumeInterpolation,
     /// Global or block steps.
     pub sharing: StepSharing,
     /// Steps after which a run is given up.
@@ -189,7 +186,6 @@ impl MethodOptions {
             work: if method.is_godunov() { Work::TimeCentred } else { Work::Instantaneous },
             solver: SolverChoice::Published,
             viscosity: Viscosity::STANDARD,
-            volume: VolumeInterpolation::Cubic,
             sharing: StepSharing::Global,
             max_steps: 1_000_000,
         }

@@ -58,7 +58,11 @@ fn the_edge_of_the_support_is_decided_as_the_analysis_does() {
             ratio,
             1.0,
         ));
-        assert_eq!((coefficients.left, coefficients.right()), (reach, reach), "{ratio}");
+        assert_eq!(
+            (coefficients.left, coefficients.values.len()),
+            (reach, 2 * reach + 1),
+            "{ratio}"
+        );
     }
 }
 
@@ -200,8 +204,4 @@ fn impossible_rings_are_refused() {
     assert_eq!(Ring::uniform(0, 1.0), Err(RingError::Empty));
     assert_eq!(Ring::uniform(3, 0.0), Err(RingError::Length(0.0)));
     assert_eq!(Ring::disordered(3, 1.0, 0.5, 0), Err(RingError::Disorder(0.5)));
-    let twice = Ring::from_positions(vec![0.1, 0.1], 1.0);
-    assert_eq!(twice, Err(RingError::Position { index: 1, position: 0.1 }));
-    let outside = Ring::from_positions(vec![0.1, 1.0], 1.0);
-    assert_eq!(outside, Err(RingError::Position { index: 1, position: 1.0 }));
 }
