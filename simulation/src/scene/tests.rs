@@ -104,7 +104,7 @@ fn complaints_are_alike_for_all_kinds_of_scenes() {
     // Scene | what stands there | what is put there | a part of the line that is named, if another | words of the complaint.
     let table = r#"
             advection-step | velocity = 1.0 | velocity = 0 |  | velocity = 0: a finite number other
-            advection-step | to = 1.0 | to = 0.9 | [[layer]] | up to 1
+            advection-step | to = 1.0 | to = 0.9 |  | the last layer ends with the domain, at 1
             advection-step | to = 1.0 | to = 0.4 |  | to = 0.4: a number above 0.5
             advection-step | value = 1.0 | density = 1.0 | to = 0.5 | value is missing
             advection-step | velocity = 1.0 | gamma = 1.4 |  | gamma: an advection scene has no such key

@@ -20,7 +20,7 @@ pub fn grows(scheme: &TorusScheme, points: &[usize], most_steps: usize) -> bool 
         torus.step(&mut state);
         growths.push(norm(&state) / start);
     }
-    let (growth, middle) = (growths[growths.len() - 1], growths[growths.len() / 2]);
+    let (growth, middle) = (growths[growths.len() - 1], growths[(growths.len() - 1) / 2]);
     // n³, as of three multipliers that meet, is no exponential growth.
-    growth.is_nan() || (growth > 1e4 && (growth / middle).ln() > 3.0 * LN_2)
+    !growth.is_finite() || (growth > 1e4 && (growth / middle).ln() > 3.0 * LN_2)
 }
