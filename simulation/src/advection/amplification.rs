@@ -123,33 +123,6 @@ pub fn measure_amplification(stepper: &mut dyn Stepper, steps: u64) -> Vec<Compl
     sums.into_iter().map(|sum| sum / steps as f64).collect()
 }
 
-/// Sets what a stepper does beside what its coefficients say.
-///
-/// # Panics
-/// When there are no steps.
-pub fn compare_with_prediction(
-    stepper: &mut dyn Stepper,
-    stencil: &Stencil<f64>,
-    steps: u64,
-) -> Validation {
-    let measured = measure_amplification(stepper, steps);
-    let particles = stepper.state().len();
-    let modes = RingModes::new(particles);
-    let rows: Vec<ModeRow> = measured
-        .into_iter()
-        .enumerate()
-        .map(|(mode, measured)| {
-            let phase = modes.phase(mode);
-            let predicted = stencil.at_phase(phase);
-            let error = (measured - predicted).norm();
-            ModeRow { mode, phase, predicted, measured, error }
-        })
-        .collect();
-    let max_error = largest(rows.iter().map(|row| row.error));
-    let tolerance = tolerance(stencil, particles);
-    Validation { rows, steps, max_error, tolerance }
-}
-
 /// The largest of some errors; not a number if any of them is none.
 pub(super) fn largest(errors: impl Iterator<Item = f64>) -> f64 {
     errors.fold(
@@ -202,43 +175,16 @@ pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
         inner = Box::new(Faulty { inner, fault });
     }
     let stencil = plan.discretisation.stencil(plan.courant_number);
-    Ok(compare_with_prediction(&mut *inner, &stencil, plan.steps))
-}
-
-/// Gain and phase per step of one mode over a free run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ModeFit {
-    /// `|g|`.
-    pub gain: f64,
-    /// `arg g` in radians, in `(−π, π]` but for rounding.
-    pub phase: f64,
-}
-
-/// Excites one mode as a real wave, steps freely, and takes gain and phase per step as the means of the
-/// changes of `ln|a|` and of the phase.
-///
-/// Nothing is touched in between. Rounding feeds all modes, so the fit holds while
-/// `(max|g| / |g_m|)^steps` stays well below `1/ε`. `None` when the amplitude vanished or overflowed.
-pub fn fit_mode(stepper: &mut dyn Stepper, mode: usize, steps: u64) -> Option<ModeFit> {
-    let modes = RingModes::new(stepper.state().len());
-    let mut amplitudes = vec![Complex64::new(0.0, 0.0); modes.count()];
-    amplitudes[mode] = Complex64::new(1.0, 0.0);
-    stepper.set_state(&modes.state(&amplitudes));
-    let first = modes.amplitude(mode, stepper.state());
-    let (mut before, mut heading, mut turned) = (first, None, 0.0);
-    for _ in 0..steps {
-        stepper.step();
-        let after = modes.amplitude(mode, stepper.state());
-        let change = after * before.conj();
-        // Angles are taken from the first step's: about π itself they would jump by a full turn.
-        let heading = *heading.get_or_insert(change);
-        turned += (change * heading.conj()).arg();
-        before = after;
-    }
-    let ratio = before.norm() / first.norm();
-    let start = heading.map_or(0.0, |change: Complex64| change.arg());
-    (ratio.is_finite() && ratio > 0.0).then(|| ModeFit {
-        gain: (ratio.ln() / steps as f64).exp(),
-        phase: start + turned / steps as f64,
-    })
+    let modes = RingModes::new(plan.particles);
+    let row = |(mode, measured): (usize, Complex64)| {
+        let phase = modes.phase(mode);
+        let predicted = stencil.at_phase(phase);
+        let error = (measured - predicted).norm();
+        ModeRow { mode, phase, predicted, measured, error }
+    };
+    let measured = measure_amplification(&mut *inner, plan.steps).into_iter();
+    let rows: Vec<ModeRow> = measured.enumerate().map(row).collect();
+    let max_error = largest(rows.iter().map(|row| row.error));
+    let tolerance = tolerance(&stencil, plan.particles);
+    Ok(Validation { rows, steps: plan.steps, max_error, tolerance })
 }

@@ -28,8 +28,7 @@ mod scheme;
 mod stepper;
 
 pub use amplification::{
-    ModeFit, ModeRow, Validation, ValidationError, ValidationPlan, compare_with_prediction,
-    fit_mode, measure_amplification, validate,
+    ModeRow, Validation, ValidationError, ValidationPlan, measure_amplification, validate,
 };
 pub use cost::{Recommendation, pareto_front, recommend};
 pub use disorder::{DisorderGrowth, DisorderRow, DisorderStudy, gain_against_disorder};
@@ -42,7 +41,6 @@ pub use limit::{
 };
 pub use method::{Method, MethodError};
 pub use modes::RingModes;
-pub use neighbours::Neighbours;
 pub use particle_path::ParticlePath;
 pub use profile::{Comparison, Extrema, total_variation};
 pub use published::{CriticalGrowth, growth_at};

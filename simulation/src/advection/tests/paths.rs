@@ -1,45 +1,13 @@
-//! Neighbours, the two paths, and what they keep.
+//! Edges of supports, the two paths, and what they keep.
 
 use super::*;
+use crate::advection::neighbours::Neighbours;
 use courant_analysis::kernel::lattice::LatticeWeights;
 use proptest::prelude::*;
 
 /// Ratios where a lattice point falls on the edge of a support (1, 4/3, 2/3, 10/3, 5, 0.3 typed as a
 /// decimal, …) and where none does.
 const RATIOS: [&str; 10] = ["1", "4/3", "2/3", "10/3", "1.3", "1.2", "0.3", "2", "2.5", "5"];
-
-#[test]
-fn neighbours_are_those_of_all_pairs() {
-    for (particles, disorder, reach) in
-        [(1, 0.0, 0.7), (3, 0.3, 2.2), (17, 0.49, 0.21), (60, 0.2, 0.05), (8, 0.1, 0.5)]
-    {
-        let ring = Ring::disordered(particles, 1.0, disorder, 5).unwrap();
-        let found = Neighbours::find(&ring, reach);
-        assert_eq!(found.particles(), particles);
-        let mut pairs = 0;
-        for (i, x) in ring.positions().iter().enumerate() {
-            let mut expected: Vec<(f64, u32)> = Vec::new();
-            for period in -4..=4 {
-                for (j, y) in (0u32..).zip(ring.positions()) {
-                    let displacement = y - x + f64::from(period);
-                    if displacement.abs() <= reach {
-                        expected.push((displacement, j));
-                    }
-                }
-            }
-            expected.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let (start, own, end) = found.row(i);
-            assert_eq!(found.indices()[own] as usize, i);
-            assert_eq!(found.displacements()[own], 0.0);
-            let row: Vec<_> = (start..end)
-                .map(|entry| (found.displacements()[entry], found.indices()[entry]))
-                .collect();
-            assert_eq!(row, expected);
-            pairs += row.len() as u64 - 1;
-        }
-        assert_eq!(found.pairs(), pairs);
-    }
-}
 
 #[test]
 fn the_edge_of_the_support_is_decided_as_the_analysis_does() {
