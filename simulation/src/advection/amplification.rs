@@ -87,7 +87,7 @@ pub struct ValidationPlan {
     pub fault: Option<Fault>,
 }
 
-/// The gain and phase of every mode per step, all modes in one run of `steps` steps.
+/// The gain and phase of every mode of the ring per step, all modes in one run of `steps` steps.
 ///
 /// All modes start with modulus 1 and phases from a seed. After each step every amplitude is compared
 /// with what it was, and its modulus is set back to 1 while its phase goes on: left alone, a mode that
@@ -97,9 +97,12 @@ pub struct ValidationPlan {
 ///
 /// # Panics
 /// When there are no steps.
-pub fn measure_amplification(stepper: &mut dyn Stepper, steps: u64) -> Vec<Complex64> {
+pub(super) fn measure_amplification(
+    stepper: &mut dyn Stepper,
+    modes: &RingModes,
+    steps: u64,
+) -> Vec<Complex64> {
     assert!(steps > 0, "a mean needs a step");
-    let modes = RingModes::new(stepper.state().len());
     let mut random = SplitMix64::new(0x6d6f_6465);
     let mut amplitudes: Vec<Complex64> = (0..modes.count())
         .map(|mode| match modes.is_real(mode) {
@@ -182,7 +185,7 @@ pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
         let error = (measured - predicted).norm();
         ModeRow { mode, phase, predicted, measured, error }
     };
-    let measured = measure_amplification(&mut *inner, plan.steps).into_iter();
+    let measured = measure_amplification(&mut *inner, &modes, plan.steps).into_iter();
     let rows: Vec<ModeRow> = measured.enumerate().map(row).collect();
     let max_error = largest(rows.iter().map(|row| row.error));
     let tolerance = tolerance(&stencil, plan.particles);

@@ -27,9 +27,7 @@ mod scene;
 mod scheme;
 mod stepper;
 
-pub use amplification::{
-    ModeRow, Validation, ValidationError, ValidationPlan, measure_amplification, validate,
-};
+pub use amplification::{ModeRow, Validation, ValidationError, ValidationPlan, validate};
 pub use cost::{Recommendation, pareto_front, recommend};
 pub use disorder::{DisorderGrowth, DisorderRow, DisorderStudy, gain_against_disorder};
 pub use faulty::Fault;

@@ -1,7 +1,7 @@
 //! Predicted against measured, mode by mode.
 
 use super::*;
-use crate::advection::amplification::largest;
+use crate::advection::amplification::{largest, measure_amplification};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -106,7 +106,7 @@ fn a_wave_that_vanishes_in_one_step_is_measured() {
     }
     let nothing = LatticeCoefficients { values: vec![0.0], left: 0 };
     let mut stepper = LatticePath::with_coefficients(nothing, 9);
-    let measured = measure_amplification(&mut stepper, 5);
+    let measured = measure_amplification(&mut stepper, &RingModes::new(9), 5);
     assert_eq!(measured, vec![Complex64::new(0.0, 0.0); 5]);
 }
 
