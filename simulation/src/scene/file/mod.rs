@@ -240,7 +240,8 @@ impl SceneFile {
             return wrong(0, format!("the gas at the start is missing; accepted: {KEYS}"));
         };
         let takes = |key: &str| COMMON.contains(&key) || keys.split(", ").any(|known| known == key);
-        if let Some((key, place)) = given.iter().find(|(key, _)| !takes(key)) {
+        let others = given.iter().filter(|(key, _)| !takes(key));
+        if let Some((key, place)) = others.min_by_key(|(_, place)| place) {
             return wrong(*place, format!("{key}: {what} has no such key; it takes {keys}"));
         }
         let scene = read(self, name)?;
