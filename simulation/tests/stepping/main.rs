@@ -24,7 +24,10 @@ fn every_scheme_of_the_catalogue_runs_as_predicted() {
                 subject = subject.with_kernel(Kernel::QuinticSpline, ratio(3, 2));
             }
             let dimension = subject.running().unwrap().dimension();
-            agrees(&subject, &ValidationPlan::in_dimension(dimension));
+            agrees(
+                &subject,
+                &ValidationPlan { steps: 40, ..ValidationPlan::in_dimension(dimension) },
+            );
         }
     }
 }
