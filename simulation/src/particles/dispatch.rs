@@ -62,7 +62,7 @@ fn with_solver<const D: usize, S: StarSolver>(
         ParticleMethod::Gph1 => Box::new(Godunov { weight: SumOfSquares, solver }),
         ParticleMethod::Gph2 => Box::new(Godunov { weight: Product, solver }),
         ParticleMethod::Gph3 => Box::new(Godunov { weight: OwnKernels, solver }),
-        ParticleMethod::Gph4 => Box::new(Godunov { weight: Convolution(options.volume), solver }),
+        ParticleMethod::Gph4 => Box::new(Godunov { weight: Convolution, solver }),
         ParticleMethod::Sph1 | ParticleMethod::Adke => smoothed(PressureForm::Sum),
         ParticleMethod::Sph2 => smoothed(PressureForm::Geometric),
     }
