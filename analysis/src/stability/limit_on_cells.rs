@@ -237,6 +237,15 @@ mod tests {
         };
         assert_eq!(at_once(Condition::Minor(1)), Some(Refinement::OfAllWaves { power: 2 }));
         assert_eq!(at_once(Condition::MinusOne), None);
+        let single = |powers: &[&[i64]], on_circle| {
+            let one = testing::inequality(Condition::Minor(1), testing::margin(powers, &none));
+            refinement(&[Inequality { on_circle, ..one }])
+        };
+        assert_eq!(single(&[&[0], &[0], &[-1, 1]], true), None);
+        assert_eq!(single(&[&[0], &[-1, 1]], false), None);
+        // Of what is enclosed no edge is known.
+        let blurred = testing::margin(&[&[0, 1], &[-1]], &ratio(1, 9));
+        assert_eq!(refinement(&[testing::inequality(Condition::PlusOne, blurred)]), None);
         // Positive on all edges.
         assert!(matches!(on_cells(&testing::margin(&[&[0, 1], &[1]], &none)), Onset::Never));
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::exact::rational::{ratio, to_f64};
+use crate::exact::rational::{ratio, square_root_enclosure, to_f64};
 use crate::kernel::Kernel;
 use crate::kernel::lattice::LatticeWeights;
 use crate::scheme::{KernelLattice, catalogue};
@@ -243,6 +243,16 @@ fn roots_that_their_first_enclosures_do_not_tell_apart_are_ordered() {
     let once_more = whole * Polynomial::new(vec![3.into(), 1.into()]);
     let once_more = Coefficient::new(vec![0], once_more);
     assert_eq!(end(&nearer).order(&end(&once_more)), Ordering::Equal);
+    // Roots of 2x² − 3 and x² − 3, by enclosures that overlap.
+    let [low, high] = [[-3, 0, 2], [-3, 0, 1]]
+        .map(|values| Coefficient::new(vec![0], Polynomial::new(values.map(BigInt::from).into())));
+    let wide = |of, lower, upper| End { root: RealRoot { lower, upper }, of };
+    let (a, b) = (wide(&low, integer(1), ratio(3, 2)), wide(&high, ratio(5, 4), integer(2)));
+    assert_eq!((a.order(&b), b.order(&a)), (Ordering::Less, Ordering::Greater));
+    // Told apart from the end of the range.
+    let max = square_root_enclosure(&integer(3), &integer(3), 230).1;
+    let [root] = &high.roots(&SearchPlan::default().up_to(max.clone()))[..] else { panic!() };
+    assert!(root.upper < max);
     // Negative in between, for however short a stretch, and however soon the range ends behind it.
     for max in [integer(10), integer(1) + power_of_two(-219)] {
         let plan = SearchPlan::default().up_to(max);

@@ -259,6 +259,10 @@ mod tests {
         // Also where halving meets the end.
         let Stretch::Ends(edge) = search().bisect(&integer(0), at(2)) else { panic!() };
         assert_eq!(edge.lower, integer(1));
+        // s − t
+        let at_once = margin(&[&[0, 1], &[-1]], &integer(0));
+        let found = Search::new(&at_once, &integer(4), DEFAULT_BITS).bisect(&integer(0), at(2));
+        assert!(matches!(found, Stretch::Empty(_)));
         // Within 2^−20 of 3 − t: up to where some data may be unstable, from where all are.
         let width = ratio(1, 1 << 20);
         let blurred = margin(&[&[3 << 20], &[-(1 << 20)]], &integer(1));
