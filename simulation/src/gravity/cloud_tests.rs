@@ -120,3 +120,24 @@ fn the_singular_sphere_collapses_onto_its_sink() {
     assert!(run.core.windows(2).all(|pair| pair[1][1] >= pair[0][1] && pair[1][0] > pair[0][0]));
     assert_eq!(sink.taken + 30 + snapshot.position.len(), 1000);
 }
+
+#[test]
+fn a_sphere_that_a_sink_takes_up_whole_says_that_its_last_particles_kept_their_lengths() {
+    let cloud = Cloud { end_time: 2.5, ..Cloud::named("sis-collapse").expect("it is in the list") };
+    let options = options(ParticleMethod::Gph3, 8);
+    let said = |cloud: &Cloud| {
+        let run = run(cloud, 100, &options);
+        // The second road: what the sink has left after every step, where it is less than η³/W(0, 1) particles.
+        let left = run.core.iter().map(|core| ((cloud.mass - core[1]) * 50.0).round());
+        let few = left.filter(|left| *left < 1.145_f64.powi(3) * std::f64::consts::PI);
+        let kept = few.fold(0.0, f64::max);
+        let says: Vec<_> = run.run.warnings.into_iter().filter(|w| w.contains("kept")).collect();
+        (kept, says.join(""))
+    };
+    let (kept, says) = said(&cloud);
+    assert!(
+        kept > 0.0 && says.ends_with(&format!("the last {kept} particles kept theirs")),
+        "{kept} {says}"
+    );
+    assert_eq!(said(&Cloud { end_time: 0.4, ..cloud }), (0.0, String::new()));
+}

@@ -22,10 +22,12 @@ fn so_few_that_no_length_satisfies_them_keep_theirs() {
     few.update_fields().expect("a length for everybody");
     assert_eq!(few.particles.smoothing, before);
     assert!(few.density().iter().all(|density| *density > 0.0));
+    assert_eq!(few.counters.kept_lengths, 3);
     // Periodic images are without end, and a crowd is no few.
     for (count, boundary) in [(3, Boundary::Periodic), (60, Boundary::Open)] {
         let mut many = gas(count, boundary);
         many.update_fields().expect("a length for everybody");
+        assert_eq!(many.counters.kept_lengths, 0);
         for (i, h) in many.particles.smoothing.iter().enumerate() {
             let asked = 1.2 * (many.particles.mass[i] / many.density()[i]).cbrt();
             assert!((h / asked - 1.0).abs() < 1e-3, "{count} {boundary:?}: {h} for {asked}");
