@@ -144,9 +144,9 @@ fn gph_step_has_the_resolved_dispersion_relation() {
         for expansion in [Expansion::Exact, Expansion::AsShock] {
             let solver = Isothermal { sound_speed: C, expansion };
             let damping = |lattice: &Lattice, _: f64| -C * lattice.d;
-            check(&Godunov { weight: SumOfSquares, solver }, kernel, damping);
-            check(&Godunov { weight: Product, solver }, kernel, damping);
-            check(&Godunov { weight: OwnKernels, solver }, kernel, damping);
+            check(&Godunov::new(SumOfSquares, solver), kernel, damping);
+            check(&Godunov::new(Product, solver), kernel, damping);
+            check(&Godunov::new(OwnKernels, solver), kernel, damping);
         }
     }
 }
