@@ -209,15 +209,12 @@ impl Step {
         Ok(Self { matrix: Matrix::new(rows.collect()), denominators, set, ..self.clone() })
     }
 
-    /// With kernel sums multiplied out in shifts; `None` where a letter is not exact.
-    pub(crate) fn expanded(&self) -> Option<Self> {
+    /// With the kernel sums that are exact multiplied out in shifts.
+    pub(crate) fn expanded(&self) -> Self {
         let mut matrix = self.matrix.clone();
         for (variable, letter) in self.names.letters() {
-            if matches!(letter.kind, LetterKind::SquareRoot(_)) {
+            if matches!(letter.kind, LetterKind::SquareRoot(_)) || !letter.value.is_exact() {
                 continue;
-            }
-            if !letter.value.is_exact() {
-                return None;
             }
             let (numerator, denominator) = laurent_of(&letter.value);
             let rows = matrix.rows().iter().map(|row| {
@@ -232,7 +229,7 @@ impl Step {
             });
             matrix = Matrix::new(rows.collect());
         }
-        Some(Self { matrix, ..self.clone() })
+        Self { matrix, ..self.clone() }
     }
 
     pub(crate) fn variable(&self, name: &str) -> Result<Variable, SchemeError> {

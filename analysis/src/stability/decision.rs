@@ -91,7 +91,7 @@ impl SearchPlan {
     /// With values known to keep the conditions: what does not grow at all does not grow too fast.
     #[must_use]
     pub fn knowing(self, strict: &Limit) -> Self {
-        Self { known: strict.certain_lower().unwrap_or_default(), ..self }
+        Self { known: strict.certain_lower(), ..self }
     }
 
     /// Only as long as the answer is wanted.
@@ -280,11 +280,9 @@ impl Step {
         let inequalities: Vec<Inequality> =
             conditions.requirements.iter().map(inequality).collect();
         let vanishes = |one: &Inequality| one.margin.is_neutral();
-        if inequalities.iter().any(vanishes) && self.names.letters().next().is_some() {
+        if inequalities.iter().any(vanishes) {
             // What vanishes for these values of the letters only is not seen in letters.
-            if let Some(expanded) = self.expanded() {
-                return expanded.inequalities_in(variable, growth, interest);
-            }
+            return self.expanded().inequalities_in(variable, growth, interest);
         }
         Ok(Demands::All(inequalities))
     }

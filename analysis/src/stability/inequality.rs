@@ -301,6 +301,8 @@ mod tests {
         let cosine =
             Laurent::power_of(Variable::axis(0), 1) + Laurent::power_of(Variable::axis(0), -1);
         let open = about_one.scaled(&100.into()) - Laurent::integer(101);
+        let rising =
+            (Laurent::integer(2) - cosine.clone()).scaled(&2.into()) + open.clone() - one();
         // What a factor leaves of 1 − C at 1/2 and 2, and whether no step helps.
         for (factor, expected, whatever_the_step) in [
             (two.clone(), "+-", false),
@@ -314,6 +316,9 @@ mod tests {
             // Certain somewhere, and open elsewhere: 4 s and what may have either sign.
             (one() + Laurent::integer(1) - cosine.clone() + open.clone(), "?-", false),
             (cosine.clone() - Laurent::integer(2) - open, "-?", false),
+            // At most 0 for the longest wave and perhaps 0 there, positive for the shortest; and its negative.
+            (rising.clone(), "?-", false),
+            (-rising, "-?", false),
             (cosine.clone() + Laurent::integer(3), "+-", false),
             (cosine.clone() - Laurent::integer(3), "-+", false),
         ] {
@@ -365,14 +370,22 @@ mod tests {
             assert!(radius < coarse && (found - value.pow(i32::from(exponent))).abs() < coarse);
             assert!(*even_series(&power(exponent), &names).unwrap().0.radius() < fine);
         }
+        // However many letters there are: the numbers stay as long as one.
+        let again = EnclosedSeries::new(&[value], power_of_two(-290));
+        let again = names.insert_letter(LetterKind::Constant, again, None, name).unwrap();
+        let product = power(3) * Laurent::power_of(again, 3);
+        let margin = margin_of(&product, &names, None, &Rational::one());
+        assert!(margin.denominator().bits() < 200);
         // 4 s, as it is and with something permitted more.
         let cosine =
             Laurent::power_of(Variable::axis(0), 1) + Laurent::power_of(Variable::axis(0), -1);
-        let series = series_of(&(Laurent::integer(2) - cosine), &names, None, &Rational::one());
-        assert_eq!(
-            [integer(0), integer(1)].map(|growth| series.growing(&growth).phase_power()),
-            [1, 0]
-        );
+        let four_s = Laurent::integer(2) - cosine;
+        for polynomial in [four_s.clone(), four_s * Laurent::variable(letter)] {
+            let series = series_of(&polynomial, &names, None, &Rational::one());
+            let powers =
+                [integer(0), integer(1)].map(|growth| series.growing(&growth).phase_power());
+            assert_eq!(powers, [1, 0]);
+        }
     }
 
     #[test]

@@ -102,10 +102,8 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
     let mut result = StableSet { intervals: Vec::new(), ..set.clone() };
     for interval in &set.intervals {
         let end = window_end(&interval.to, &plan.max);
-        let known = match interval.from.certain_lower() {
-            Some(from) if !first => from.min(end.clone()),
-            _ => plan.known.clone().min(end.clone()),
-        };
+        let known = if first { plan.known.clone() } else { interval.from.certain_lower() };
+        let known = known.min(end.clone());
         let found = search_within(&inequality.margin, &end, &known, plan);
         result.work += found.work;
         result.undecided.extend(found.undecided);
@@ -134,11 +132,11 @@ fn restricted(set: StableSet, inequality: &Inequality, plan: &SearchPlan) -> Sta
             };
             match (from.certain_upper(), to.certain_lower()) {
                 // The end of one condition and the beginning of another are not told apart: a point, a sliver, or nothing.
-                (Some(after), Some(before)) if after > before => {
+                (Some(after), before) if after > before => {
                     result.undecided.push((from.lower(), to.upper()));
                 }
                 // A single value is no stretch to choose a step from.
-                (Some(after), Some(before)) if after == before => {}
+                (Some(after), before) if after == before => {}
                 _ => result.intervals.push(StableInterval { from, to }),
             }
         }
@@ -159,13 +157,10 @@ fn order(known: &Limit, other: &Limit) -> Order {
         // Nothing was met in the window.
         return Order::Known;
     }
-    let (Some(other_lower), Some(known_lower)) = (other.certain_lower(), known.certain_lower())
-    else {
-        return Order::Other;
-    };
     if known.upper().is_infinite() {
         return Order::Other;
     }
+    let (other_lower, known_lower) = (other.certain_lower(), known.certain_lower());
     if other_lower >= known_lower { Order::Known } else { Order::Unclear(known_lower) }
 }
 

@@ -274,7 +274,7 @@ impl Limit {
             return f64::INFINITY;
         }
         // A user who types what is printed means the decimal, not the binary number nearest to it.
-        let Some(certain) = self.certain_lower() else { return self.lower };
+        let certain = self.certain_lower();
         [to_f64(&certain), self.lower]
             .into_iter()
             .find(|value| {
@@ -285,13 +285,14 @@ impl Limit {
 
     /// The first digits of the lower end, cut off: what is proved, however far the upper end may be. `None` when no limit was met.
     pub fn proved_decimal(&self, digits: usize) -> Option<String> {
-        let lower = self.certain_lower().filter(|_| self.upper.is_finite())?;
+        let lower = self.upper.is_finite().then(|| self.certain_lower())?;
         Some(if lower.is_positive() { decimal_below(&lower, digits) } else { "0".into() })
     }
 
     /// The property certainly holds up to this fraction, as far as is known without effort.
-    pub(crate) fn certain_lower(&self) -> Option<Rational> {
-        self.enclosure(EXACT_BITS).map(|(lower, _)| lower).or_else(|| from_f64(self.lower))
+    pub(crate) fn certain_lower(&self) -> Rational {
+        let enclosed = self.enclosure(EXACT_BITS).map(|(lower, _)| lower);
+        enclosed.or_else(|| from_f64(self.lower)).expect("an end begins at a finite value")
     }
 
     /// The property is certainly lost above this fraction.
@@ -311,7 +312,7 @@ impl Limit {
     /// ```
     pub fn decimal(&self, digits: usize) -> Option<String> {
         let bits = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + 8;
-        let known = || Some((self.certain_lower()?, self.certain_upper()?));
+        let known = || self.certain_upper().map(|upper| (self.certain_lower(), upper));
         let (lower, upper) = self.enclosure(bits).or_else(known)?;
         if !lower.is_positive() {
             return Some("0".into());

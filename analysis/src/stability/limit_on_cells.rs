@@ -2,6 +2,7 @@
 
 use super::conditions::Condition;
 use super::decision::Demands;
+use super::inequality::Inequality;
 use super::margin::Margin;
 use crate::exact::rational::{Rational, integer, ratio, to_f64};
 use crate::scheme::{SchemeError, Step};
@@ -60,33 +61,36 @@ impl Step {
     /// # Errors
     /// When the parameter does not occur or another has no value.
     pub fn refinement_rule(&self, parameter: &str) -> Result<Option<Refinement>, SchemeError> {
-        let Demands::All(all) = self.inequalities(parameter, &Rational::zero())? else {
-            return Ok(None);
-        };
-        let mut lowest: Option<LimitOnCells> = None;
-        for margin in all.iter().map(|one| &one.margin).filter(|margin| margin.is_exact()) {
-            match on_cells(margin) {
-                Onset::Never => {}
-                Onset::AtOnce => {
-                    // One multiplier: its square minus 1 is the condition. Two on the circle part like the root of theirs.
-                    let [one] = all.as_slice() else { return Ok(None) };
-                    let power = margin.courant_power();
-                    let single =
-                        one.condition == Condition::Minor(1) && !one.on_circle && power > 1;
-                    return Ok(single.then_some(Refinement::OfAllWaves { power }));
-                }
-                Onset::At(found) => {
-                    let before = |known: &LimitOnCells| {
-                        (&found.exponent, -found.factor) > (&known.exponent, -known.factor)
-                    };
-                    if lowest.as_ref().is_none_or(before) {
-                        lowest = Some(found);
-                    }
+        Ok(match self.inequalities(parameter, &Rational::zero())? {
+            Demands::All(all) => refinement(&all),
+            _ => None,
+        })
+    }
+}
+
+fn refinement(all: &[Inequality]) -> Option<Refinement> {
+    let mut lowest: Option<LimitOnCells> = None;
+    for margin in all.iter().map(|one| &one.margin).filter(|margin| margin.is_exact()) {
+        match on_cells(margin) {
+            Onset::Never => {}
+            Onset::AtOnce => {
+                // One multiplier: its square minus 1 is the condition. Two on the circle part like the root of theirs.
+                let [one] = all else { return None };
+                let power = margin.courant_power();
+                let single = one.condition == Condition::Minor(1) && !one.on_circle && power > 1;
+                return single.then_some(Refinement::OfAllWaves { power });
+            }
+            Onset::At(found) => {
+                let before = |known: &LimitOnCells| {
+                    (&found.exponent, -found.factor) > (&known.exponent, -known.factor)
+                };
+                if lowest.as_ref().is_none_or(before) {
+                    lowest = Some(found);
                 }
             }
         }
-        Ok(lowest.map(Refinement::OfLongWaves))
     }
+    lowest.map(Refinement::OfLongWaves)
 }
 
 /// When long waves violate a condition as the parameter grows from 0.
@@ -206,6 +210,33 @@ mod tests {
         assert_eq!((rule.exponent.clone(), rule.factor), (integer(3), 0.125));
         // The next terms are smaller by the root of s.
         assert!((rule.at(10_000) / on_ring(&margin, 10_000) - 1.0).abs() < 1e-3);
+        // Where several conditions are lost the first is, whichever is asked first: t = s, t = 4s, and t = s².
+        let lost = |series: &[i64]| {
+            testing::inequality(Condition::PlusOne, testing::margin(&[series, &[-1]], &none))
+        };
+        let [early, late, earliest] = [lost(&[0, 1]), lost(&[0, 4]), lost(&[0, 0, 1])];
+        let kept =
+            testing::inequality(Condition::PlusOne, testing::margin(&[&[0, 1], &[1]], &none));
+        for (all, exponent, factor) in [
+            ([&early, &late], 2, 0.25),
+            ([&late, &early], 2, 0.25),
+            ([&late, &earliest], 4, 0.0625),
+            ([&earliest, &late], 4, 0.0625),
+            ([&kept, &late], 2, 1.0),
+        ] {
+            let exponent = integer(exponent);
+            assert_eq!(
+                refinement(&all.map(Clone::clone)),
+                Some(Refinement::OfLongWaves(LimitOnCells { exponent, factor }))
+            );
+        }
+        // A condition that fails at once says how fast waves grow only where it is that of the only multiplier.
+        let at_once = |condition| {
+            let falling = testing::margin(&[&[0], &[0], &[-1, 1]], &none);
+            refinement(&[testing::inequality(condition, falling)])
+        };
+        assert_eq!(at_once(Condition::Minor(1)), Some(Refinement::OfAllWaves { power: 2 }));
+        assert_eq!(at_once(Condition::MinusOne), None);
         // Positive on all edges.
         assert!(matches!(on_cells(&testing::margin(&[&[0, 1], &[1]], &none)), Onset::Never));
     }

@@ -159,7 +159,7 @@ impl Step {
         let from = from_f64(interval.from.upper()).unwrap_or_default();
         let to = from_f64(interval.to.lower()).unwrap_or_else(|| &from + integer(1));
         let step = self.with(parameter, &(&from + (to - &from) * ratio(5, 13)))?;
-        let step = step.expanded().unwrap_or(step);
+        let step = step.expanded();
         let precise =
             PreciseStep::new(&step, &difference_terms(&primitive_characteristic(&step)?), BITS);
         let place = any_place(&precise, step.dimension());

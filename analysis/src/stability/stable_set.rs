@@ -120,7 +120,7 @@ impl StableSet {
             || self.intervals.iter().any(|interval| {
                 let above =
                     interval.from.certain_upper().is_some_and(|from| *courant_number >= from);
-                let below = interval.to.certain_lower().is_some_and(|to| *courant_number <= to);
+                let below = *courant_number <= interval.to.certain_lower();
                 above && below
             })
     }

@@ -116,7 +116,7 @@ pub fn check(
     let asked = step.inequalities_while(parameter, &plan)?;
     let stable_set = step.stable_set_under(parameter, &asked, &plan)?;
     let monotone_set = step.monotone_set(parameter, &plan)?;
-    let at_value = at_value.expanded().unwrap_or(at_value);
+    let at_value = at_value.expanded();
     // Powers of the parameter were divided out: they say nothing about 0.
     let of_parameter = if value.is_zero() { None } else { DemandsAt::of_parameter(&asked, value) };
     // Strict demands on a continuous function of the parameter are met nearby as well.

@@ -108,7 +108,7 @@ pub fn growth_at(step: &Step) -> Result<Growth, SchemeError> {
     if !open.is_empty() {
         return Err(SchemeError::NotSet(open));
     }
-    let step = step.expanded().unwrap_or_else(|| step.clone());
+    let step = step.expanded();
     let demands =
         DemandsAt::new(&step.inequalities_in(None, &Rational::zero(), &Interest::default())?);
     growth_under(&step, &demands, &demands.decide())

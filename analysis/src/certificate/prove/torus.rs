@@ -155,7 +155,8 @@ impl Prover<'_> {
         let last = self.power(&self.plan.max);
         let (reached, lower, upper, above) = match to {
             StretchEnd::Edge(edge, wave) => {
-                let spots: Vec<ExactSpot> = wave.iter().chain(&edge.spot).cloned().collect();
+                let spots: Vec<ExactSpot> =
+                    std::iter::once(wave).chain(&edge.spot).cloned().collect();
                 let above = self.above(&edge.upper, &spots)?;
                 let ends = (self.end(&edge.lower), Some(self.end(&edge.upper)));
                 (edge.lower.clone(), ends.0, ends.1, Some(above))

@@ -197,3 +197,17 @@ fn a_condition_that_vanishes_for_these_square_roots_alone_decides_nothing() {
         assert_eq!(decide_step_at(&at, &integer(0)).unwrap(), PointVerdict::Undecided);
     }
 }
+
+#[test]
+fn of_real_coefficients_it_is_jurys_conditions_but_for_one_root_over_what_varies() {
+    let asked = |text: &str| {
+        let step = Step::from_text(text).unwrap();
+        let (chi, none) = (step.characteristic().unwrap(), Rational::from_integer(0.into()));
+        let all = Conditions::new(&chi, &none, step.names()).requirements;
+        all.iter().map(|one| one.condition).collect::<Vec<_>>()
+    };
+    let [plus, minus, inner] = [Condition::PlusOne, Condition::MinusOne, Condition::Inner(1)];
+    assert_eq!(asked("(1 + C)*u[n+1,j] = u[n,j] + u[n-1,j]/2"), [plus, minus, inner]);
+    assert_eq!(asked("(1 + C)*u[n+1,j] = u[n,j]"), [Condition::Minor(1)]);
+    assert_eq!(asked("u[n+1,j] = (1 - C)*u[n,j]"), [plus, minus]);
+}

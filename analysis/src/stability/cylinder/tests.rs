@@ -49,6 +49,19 @@ fn compare(margin: &Margin, end: &Rational) -> bool {
 }
 
 #[test]
+fn critical_values_that_are_not_told_apart_or_not_known_have_no_cells() {
+    // (t² + t − 3)(100t² + 100t − 301), with s beside it: two roots 0.003 apart.
+    let margin = |powers: &[&[i64]]| crate::stability::testing::margin(powers, &integer(0));
+    let close = margin(&[&[903, 1], &[-601], &[-501], &[200], &[100]]);
+    let critical = CriticalPolynomials::new(&close, usize::MAX).unwrap();
+    let cells = |bits| critical.cells(&close, &integer(0), &integer(4), bits).map(|all| all.len());
+    assert_eq!([cells(4), cells(80)], [None, Some(3)]);
+    // (s − t)²: every t is critical.
+    let always = margin(&[&[0, 0, 1], &[0, -2], &[1]]);
+    assert!(CriticalPolynomials::new(&always, usize::MAX).is_none());
+}
+
+#[test]
 fn cells_find_the_limits_of_the_schemes() {
     let mut compared = 0;
     for l in ["1", "11/10", "13/10", "3/2", "2", "5/2", "3"] {

@@ -1,5 +1,8 @@
 use super::*;
 use crate::exact::rational::{ratio, to_f64};
+use crate::kernel::lattice::LatticeWeights;
+use crate::scheme::KernelLattice;
+use crate::scheme::catalogue::SchemeFile;
 use crate::stability::{Evidence, multiplicity_at};
 
 fn to_nine() -> SearchPlan {
@@ -114,6 +117,35 @@ fn of_one_multiplier_its_square_is_the_condition_unless_there_are_roots() {
     let upwind = Step::from_text("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])").unwrap();
     let Demands::All(all) = upwind.inequalities("C", &integer(0)).unwrap() else { panic!() };
     assert!(all.iter().all(|one| !one.on_circle && !one.whatever_the_step && !one.thinned));
+}
+
+#[test]
+fn what_vanishes_for_the_weights_at_hand_is_looked_at_again() {
+    // χ = z² − C(1 + E) z + E, whose multipliers lie on the circle up to C = 1: with weights for which D vanishes. For others one leaves the disc.
+    let weights = LatticeWeights {
+        gradient: vec![ratio(1, 2)],
+        curvature: vec![integer(-2), integer(1)],
+        radius: integer(0),
+    };
+    let lattice = KernelLattice::from_weights(integer(1), weights);
+    let zero = |at: &str| {
+        let pair = format!("u[{at},j+1] - u[{at},j-1]");
+        format!("(({pair})/2 - sum(k, w[k]*(u[{at},j+k] - u[{at},j-k])))")
+    };
+    let (now, before) = (zero("n"), zero("n-1"));
+    // The same with a name that is never multiplied out beside it.
+    for factor in ["C", "pi*C"] {
+        let text = format!(
+            "name = \"two\"\ntitle = \"Two\"\nparameter = \"C\"\nsource = \"-\"\n\
+             equations = \"u[n+1,j] = {factor}*(u[n,j] + u[n,j+1]) + 4*{now} - u[n-1,j+1] + {before}\""
+        );
+        let step = SchemeFile::from_toml(&text).unwrap().step(Some(&lattice), None, &[], Some("C"));
+        let step = step.unwrap();
+        assert!(step.names().letters().next().is_some());
+        let (limit, scale) =
+            (step.limit("C").unwrap(), if factor == "C" { 1.0 } else { std::f64::consts::PI });
+        assert!((limit.value() * scale - 1.0).abs() < 1e-12, "{limit:?}");
+    }
 }
 
 #[test]

@@ -7,29 +7,43 @@ fn plan(bits: u32) -> SearchPlan {
     SearchPlan { bits, ..SearchPlan::default().up_to(integer(4)) }
 }
 
-/// What `1 − t` for the longest wave and `1 + k/2^m − t` for the wave `s` with `s³ = 1/3³` or `1/2³` allow, to 20 bits.
-fn ends(k: i64, m: u32, inverse_s: i64) -> StableSet {
+/// `1 − t` for the longest wave and `1 + k/2^m − t` for the wave `s` with `s³ = 1/3³` or `1/2³`.
+fn conditions(k: i64, m: u32, inverse_s: i64) -> [Inequality; 2] {
     let unit = 1i64 << m;
     // 64 (s/s_0 − 1)² beside it: samples do not see the wave 1/3, and take the other condition for the first to fail.
     let steep = 64 * unit;
     let shape = [steep + unit + k, -2 * inverse_s * steep, inverse_s * inverse_s * steep];
     let first = inequality(PlusOne, margin(&[&[1, 1], &[-1]], &integer(0)));
     let second = inequality(MinusOne, margin(&[&shape, &[-unit]], &integer(0)));
-    intersection(&[second, first], &plan(20))
+    [second, first]
 }
 
 #[test]
 fn ends_whose_enclosures_overlap_are_told_apart_by_what_each_proves() {
     for inverse_s in [2, 3] {
         for (k, m) in [(-1, 10), (-1, 30), (1, 30), (1, 10)] {
-            let set = ends(k, m, inverse_s);
+            let all = conditions(k, m, inverse_s);
+            let set = intersection(&all, &plan(20));
             let [interval] = &set.intervals[..] else { panic!("{set:?}") };
             let (to, first) = (&interval.to, if k < 0 { MinusOne } else { PlusOne });
             assert_eq!(to.binding().unwrap().condition, first, "{k}/2^{m} {to:?}");
             let value = ratio(k.min(0), 1 << m) + integer(1);
-            assert!(to.certain_lower().unwrap() <= value && value <= to.certain_upper().unwrap());
+            assert!(to.certain_lower() <= value && value <= to.certain_upper().unwrap());
             assert_eq!(to.exact().is_some(), k > 0);
             assert!(set.undecided.is_empty() && !set.neutral && interval.from.upper() == 0.0);
+            // The work of each search: of what fails later up to a little above 1 and, where it may end before, up to 1.
+            if inverse_s == 3 {
+                let work = |one: &Inequality, end: &Rational| {
+                    search_within(&one.margin, end, &integer(0), &plan(20)).work
+                };
+                let one = Limit::exactly(ExactValue::Fraction(integer(1)), Evidence::Proved);
+                let mut expected = work(&all[1], &integer(4));
+                expected += work(&all[0], &window_end(&one, &integer(4)));
+                if (k, m) != (1, 10) {
+                    expected += work(&all[0], &integer(1));
+                }
+                assert_eq!(set.work, expected, "{k}/2^{m}");
+            }
         }
     }
 }
@@ -118,8 +132,37 @@ fn ranges_and_beginnings_are_those_of_all_conditions() {
     let set = intersection(&[from(3), till(2)], &wide);
     assert_eq!(set.immediate_binding.unwrap().condition, MinusOne);
     assert!(set.immediately_unstable.is_some() && set.work != Work::default());
+    // Of two that fail at once the first is named, though the other one does as well.
+    let from_two = inequality(PlusOne, margin(&[&[-2, 2], &[1]], &integer(0)));
+    let binding = intersection(&[from(1), from_two], &wide).immediate_binding;
+    assert_eq!(binding.unwrap().condition, PlusOne);
     assert_eq!(nowhere(2).limit().value(), 0.0);
     assert!(!nowhere(2).neutral && unknown(&wide).limit().evidence() == Evidence::Undecided);
+}
+
+#[test]
+fn what_a_condition_leaves_open_is_open_unless_another_fails_there() {
+    // (3s − 1)² + (5t − 4)² touches at a wave at which no box has a corner: a sliver, as wide as the ends that are asked for.
+    let touching = inequality(PlusOne, margin(&[&[17, -6, 9], &[-40], &[25]], &integer(0)));
+    let till_two = inequality(MinusOne, margin(&[&[2, 1], &[-1]], &integer(0)));
+    let few = |budget| SearchPlan { budget, ..plan(8) };
+    let set = intersection(&[till_two, touching], &few(60));
+    let [before, after] = &set.intervals[..] else { panic!("{set:?}") };
+    let [(lower, upper)] = set.undecided[..] else { panic!("{set:?}") };
+    assert!((0.79..0.8).contains(&lower) && (0.8..0.81).contains(&upper), "{set:?}");
+    assert_eq!((before.to.lower(), before.to.evidence()), (lower, Evidence::Undecided));
+    assert_eq!((after.from.upper(), after.to.value()), (upper, 2.0));
+    // The same times (4t − 1)(2t − 1), beside 2/5 − t, which is not asked for with fewer boxes than one attempt takes.
+    let touching = inequality(
+        PlusOne,
+        margin(&[&[17, -6, 9], &[-142, 36, -54], &[401, -48, 72], &[-470], &[200]], &integer(0)),
+    );
+    let till_then = inequality(MinusOne, margin(&[&[4, 1], &[-10]], &integer(0)));
+    for (budget, open) in [(FIRST_PATIENCE - 1, true), (FIRST_PATIENCE, false)] {
+        let set = intersection(&[touching.clone(), till_then.clone()], &few(budget));
+        assert_eq!((set.intervals.len(), set.intervals[0].to.value()), (1, 0.25), "{set:?}");
+        assert_eq!(!set.undecided.is_empty(), open, "{set:?}");
+    }
 }
 
 #[test]

@@ -38,8 +38,7 @@ impl StableSet {
 /// For a fraction all waves are looked at, for other ends the wave that binds.
 fn is_stable(step: &Step, parameter: &str, end: &Limit) -> Result<bool, SchemeError> {
     let at = |value: &Rational| -> Result<Step, SchemeError> {
-        let step = step.with(parameter, value)?;
-        Ok(step.expanded().unwrap_or(step))
+        Ok(step.with(parameter, value)?.expanded())
     };
     if let Some(value) = end.exact().and_then(|exact| exact.as_fraction()) {
         return Ok(multiplicity_among(&at(value)?, end.critical_wave())?.growing.is_none());

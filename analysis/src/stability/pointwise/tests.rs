@@ -8,6 +8,7 @@ use crate::exact::stencil::Stencil;
 use crate::kernel::Kernel;
 use crate::scheme::testing::{sph, step_of};
 use crate::scheme::{KernelLattice, OneStep, Step, catalogue};
+use crate::stability::testing::margin;
 use crate::stability::{Evidence, SearchPlan, StableSet};
 use proptest::prelude::*;
 
@@ -46,6 +47,15 @@ fn by_boxes(margin: &Margin, courant_number: &Rational) -> Option<bool> {
         Sign::SomewhereNegative { .. } => Some(false),
         Sign::Undecided => None,
     }
+}
+
+#[test]
+fn several_waves_may_touch() {
+    // (4s − 1)² (4s − 3)² + t − 1
+    let touching = margin(&[&[8, -96, 352, -512, 256], &[1]], &integer(0));
+    let below = integer(1) - power_of_two(-60);
+    assert_eq!(decide_at_parameter(&touching, &integer(1)), PointVerdict::Stable);
+    assert!(matches!(decide_at_parameter(&touching, &below), PointVerdict::Unstable(_)));
 }
 
 /// Sturm, Bernstein, the stable set and 33 exactly evaluated waves: none may contradict another.

@@ -180,6 +180,16 @@ mod tests {
         assert!(holds(1) && holds(3) && gaps.len() == 1, "{gaps:?}");
         assert!(gaps[0].0 > ratio(9, 10) && gaps.windows(2).all(|pair| pair[0].1 < pair[1].0));
         assert_eq!(search.not_covered(&integer(2), integer(2), &[]), []);
+        // (t − 1)(t − 2): apart are those that a covered one parts. Where no sample grows no wave is tried.
+        let parted = exact(&[&[2, 1], &[-3], &[1]]);
+        let mut search = Search::new(&parted, &integer(4), DEFAULT_BITS).patient(2);
+        let gaps = search.not_covered(&integer(0), integer(4), &[]);
+        assert_eq!(gaps, [(0, 1), (2, 4)].map(|(a, b)| (integer(a), integer(b))));
+        let stable = exact(&[&[1, 1], &[1]]);
+        let mut search = Search::new(&stable, &integer(5), DEFAULT_BITS);
+        assert_eq!(search.not_covered(&integer(0), integer(5), &[]).len(), 1);
+        assert_eq!(search.work.evaluations, 0);
+        let mut search = Search::new(&margin, &integer(5), DEFAULT_BITS);
         let mut throughout = |a: Rational, b: Rational| search.is_unstable_throughout(&a, &b);
         assert!(throughout(ratio(21, 10), ratio(29, 10)) && !throughout(ratio(3, 2), ratio(5, 2)));
     }

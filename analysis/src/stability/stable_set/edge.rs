@@ -143,7 +143,7 @@ impl Search<'_> {
             2 => ExactValue::square_root(t),
             _ => ExactValue::Fraction(t),
         };
-        let limit = if equal(&edge.lower, &edge.upper) && self.margin.is_exact() {
+        let limit = if equal(&edge.lower, &edge.upper) {
             Limit::exactly(closed(edge.lower.clone()), evidence)
         } else if let Some(root) = self
             .critical_polynomials()

@@ -152,11 +152,11 @@ impl Search<'_> {
             Some(s) if self.is_unstable_just_above(&upper, &s) => {
                 Stretch::Ends(Edge { lower, upper, s })
             }
-            Some(s) if !self.margin.is_exact() => match self.certainly_unstable_from(&upper, &s) {
+            Some(s) => match self.certainly_unstable_from(&upper, &s) {
                 Some(upper) => Stretch::Ends(Edge { lower, upper, s }),
                 None => Stretch::Undecided(lower, self.end.clone()),
             },
-            _ => self.pass_touching_wave(lower, upper),
+            None => self.pass_touching_wave(lower, upper),
         }
     }
 
@@ -174,9 +174,6 @@ impl Search<'_> {
             || self.is_stable(&touch, &beyond).is_err()
         {
             return Stretch::Undecided(lower, upper);
-        }
-        if beyond == self.end {
-            return Stretch::Continues;
         }
         match self.stable_stretch(&beyond) {
             Stretch::Empty(s) => Stretch::Ends(Edge { lower: beyond.clone(), upper: beyond, s }),
@@ -263,6 +260,22 @@ mod tests {
         let mut search = Search::new(&blurred, &integer(4), DEFAULT_BITS);
         let Stretch::Ends(edge) = search.bisect(&integer(0), at(4)) else { panic!() };
         assert!(edge.lower <= integer(3) - &width && edge.upper >= integer(3) + &width);
+        // Nothing ends before where it begins.
+        let from = integer(3) - &width;
+        let found = Search::new(&blurred, &integer(4), DEFAULT_BITS).stable_stretch(&from);
+        let Stretch::Ends(edge) = found else { panic!() };
+        assert!(edge.lower >= from && edge.upper >= integer(3) + &width);
+    }
+
+    #[test]
+    fn a_touch_that_rounding_takes_for_an_end_is_none() {
+        // (5t − 11)² (t + 7), with 1000 times s, 1 − s, or (2s − 1)² beside it.
+        for first in [&[847, 1000][..], &[1847, -1000], &[1847, -4000, 4000]] {
+            let touching = margin(&[first, &[-649], &[65], &[25]], &integer(0));
+            let mut search = Search::new(&touching, &integer(4), DEFAULT_BITS);
+            assert!(!search.guesses.is_empty());
+            assert!(matches!(search.stable_stretch(&integer(0)), Stretch::Continues));
+        }
     }
 
     #[test]

@@ -75,7 +75,7 @@ impl Search<'_> {
                 continue;
             }
             failures += 1;
-            if halvings == 0 || gaps.len() > 8 || failures > self.patience {
+            if halvings == 0 || failures > self.patience {
                 match gaps.last_mut() {
                     Some(last) if last.1 == lower => last.1 = upper,
                     _ => gaps.push((lower, upper)),

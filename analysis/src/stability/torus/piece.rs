@@ -166,8 +166,9 @@ fn on_piece(
 ) -> Tensor {
     let dimension = turns.len();
     let most = |axis: usize| {
-        let (low, high) = polynomial.range(Variable::axis(axis)).unwrap_or((0, 0));
-        usize::from(low.unsigned_abs().max(high.unsigned_abs()))
+        // Real: as far to the other side.
+        let (_, high) = polynomial.range(Variable::axis(axis)).unwrap_or((0, 0));
+        usize::from(high.unsigned_abs())
     };
     let orders: Vec<usize> = (0..dimension).map(most).collect();
     let power = |exponents: &Exponents| {

@@ -160,6 +160,9 @@ impl<'a> Search<'a> {
         // The ends first: there a negative value is a counterexample.
         let order = [0, last].into_iter().chain(1..last);
         for index in order.take(rows.len()) {
+            if !holds && index != last {
+                break;
+            }
             if self.spent >= self.most {
                 return Err(Objection::Budget);
             }
@@ -175,12 +178,7 @@ impl<'a> Search<'a> {
                     let t = if index == 0 { from } else { to };
                     return Err(Objection::Wave(spot, t.clone()));
                 }
-                _ => {
-                    holds = false;
-                    if index != 0 && index != last {
-                        break;
-                    }
-                }
+                _ => holds = false,
             }
         }
         Ok(holds)
@@ -242,7 +240,7 @@ impl<'a> Search<'a> {
             return None;
         }
         let from = from_f64(guess.parameter * (1.0 - 1e-6))?;
-        let to = from_f64(guess.parameter * (1.0 + 1e-6))?.min(self.end.clone());
+        let to = from_f64(guess.parameter * (1.0 + 1e-6))?;
         for spot in self.exact_spots(&guess.spot) {
             let coefficients = self.at_spot(&spot);
             let root = fraction_or_root(coefficients, guess.parameter, &from, &to, self.bits + 20);
@@ -283,7 +281,7 @@ impl<'a> Search<'a> {
             // Between this root and the next the sign is one: a root that is only touched leaves it as it is.
             let next = roots.get(index + 1).map_or(&self.end, |next| &next.lower);
             let between = (&root.upper + next) / integer(2);
-            if between <= root.upper || !negative_at(&between) {
+            if !negative_at(&between) {
                 // Strictly below it, where the sign is still negative.
                 let below = (&before + &root.lower) / integer(2);
                 let near = &root.lower * (integer(1) - power_of_two(-50));

@@ -1,3 +1,4 @@
+use super::guess::{Critical, Spot};
 use super::search::{Objection, Search};
 use super::*;
 use crate::exact::rational::{Rational, integer, ratio};
@@ -112,17 +113,20 @@ fn conditions_at_a_value_and_about_it() {
 
 #[test]
 fn stretches_are_proved_or_refuted_within_the_work_that_is_allowed() {
-    let stable = |values: &[i64], from: Rational, to: Rational, budget| {
-        let all = [whatever_the_wave(values)];
+    let decided = |one: TorusInequality, from: Rational, to: Rational, budget| {
+        let all = [one];
         let mut search = Search::without_guesses(&all, integer(5), budget);
         let found = search.is_stable(&from, &to);
         assert!(search.work.boxes <= budget.max(1));
-        match found {
+        let word = match found {
             Ok(()) => "stable".to_string(),
             Err(Objection::Budget) => "open".to_string(),
             Err(Objection::Wave(_, t)) => format!("not at {t}"),
-        }
+        };
+        (word, search.work.boxes)
     };
+    let stable =
+        |values: &[i64], from, to, budget| decided(whatever_the_wave(values), from, to, budget).0;
     // t − 1; 2t² − 2t + 1, whose middle Bernstein coefficient is negative until the stretch is halved.
     assert_eq!(stable(&[-1, 1], integer(1), integer(2), 9), "stable");
     assert_eq!(stable(&[-1, 1], integer(0), integer(2), 9), "not at 0");
@@ -133,6 +137,17 @@ fn stretches_are_proved_or_refuted_within_the_work_that_is_allowed() {
     let dip: &[i64] = &[3, -12, 13];
     assert_eq!(stable(dip, integer(0), integer(1), 100), "stable");
     assert_eq!(stable(dip, integer(0), integer(1), 3), "open");
+    // Bernstein coefficients 8, −1, −1, 8: the second of the negative ones is not looked at; those of the halves are all positive.
+    let (sag, zero_to) = (whatever_the_wave(&[8, -27, 27]), |end: i64| (integer(0), integer(end)));
+    let (from, to) = zero_to(1);
+    assert_eq!(decided(sag, from, to, 100), ("stable".to_string(), 3 + 4 + 4));
+    // (3x − 1)² (1 − t) − t: what the first end leaves open the last one refutes.
+    let (from, to) = zero_to(1);
+    let terms = [([0, 0], 1), ([1, 0], -6), ([2, 0], 9), ([0, 1], -2), ([1, 1], 6), ([2, 1], -9)];
+    assert_eq!(decided(demand(&terms), from, to, 100).0, "not at 1");
+    // At a single value there is nothing to be cut.
+    let (word, boxes) = decided(demand(&terms), integer(0), integer(0), 10_000);
+    assert!(word == "open" && boxes <= 4000, "{boxes}");
     // (3t − 1)² is open however often it is halved, until pieces or boxes are used up.
     assert_eq!(stable(&[1, -6, 9], integer(0), integer(1), 10_000), "open");
     let beyond = |values: &[i64], end: Rational| {
@@ -170,6 +185,9 @@ fn how_far_a_wave_is_unstable() {
     // t² − 2: below the root, to the width of its enclosure.
     let root = until(&[-2, 0, 1], 0).unwrap();
     assert!(&root * &root < integer(2) && &root * &root > integer(2) - power_of_two(-30));
+    // Becoming unstable or stable a hair above does not count.
+    let hair = 1i64 << 60;
+    assert_eq!([until(&[2 * hair + 1, -2 * hair], 1), until(&[-hair - 1, hair], 1)], [None, None]);
     // 1 − t just above 1, with a spot that is unstable between and not beside.
     assert_eq!(until(&[1, -1], 1), Some(integer(5)));
     let all = [whatever_the_wave(&[2, -3, 1])];
@@ -177,6 +195,18 @@ fn how_far_a_wave_is_unstable() {
     let spot = ExactSpot { inequality: 0, cell: 0, point: vec![integer(0)] };
     let mut between = |a, b| search.is_unstable_between(&integer(a), &integer(b), &spot);
     assert!(between(1, 2) && !between(0, 1) && !between(1, 3) && !between(2, 3));
+}
+
+#[test]
+fn edges_are_looked_for_next_to_a_guess() {
+    let edge = |values: &[i64], parameter: f64| {
+        let all = [whatever_the_wave(values)];
+        let spot = Spot { inequality: 0, cell: 0, point: vec![0.0] };
+        let guess = Critical { parameter, spot };
+        Search::without_guesses(&all, integer(5), 100).edge(&guess).map(|edge| edge.lower)
+    };
+    assert_eq!(edge(&[1, -1], 1.0 + 5e-9), Some(integer(1)));
+    assert_eq!([edge(&[1, -1], 1.0 + 5e-7), edge(&[1, 0, -1], 0.0)], [None, None]);
 }
 
 #[test]

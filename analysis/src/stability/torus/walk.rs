@@ -9,7 +9,7 @@ use crate::exact::rational::{
 use crate::exact::real_roots::power_of_two;
 use crate::stability::stable_set::{StableInterval, StableSet};
 use crate::stability::{Evidence, ExactValue, Limit, SearchPlan, Wave};
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 
 /// How many stretches of one kind are followed before the rest is left undecided.
 const MOST_STRETCHES: usize = 64;
@@ -50,7 +50,7 @@ pub(crate) struct StableStretch {
 /// Where a stable stretch ends.
 pub(crate) enum StretchEnd {
     /// Lost here, and a wave that is unstable just above.
-    Edge(Box<Edge>, Option<ExactSpot>),
+    Edge(Box<Edge>, ExactSpot),
     /// At the end of the range.
     Range,
     /// Nowhere.
@@ -147,15 +147,13 @@ impl<'a> Walk<'a> {
             };
             // An edge is where a wave becomes unstable, not where one touches.
             let Some((wave, until)) = self.unstable_just_above(&edge.upper, spot) else {
-                if edge.lower == edge.upper && edge.upper > reached {
+                if edge.lower == edge.upper {
                     reached = edge.upper;
                     continue;
                 }
                 let open = self.values(&edge.lower, &self.search.end.clone());
-                if edge.lower > from.upper {
-                    let to = Limit::between(open.0, open.1, Evidence::Undecided);
-                    set.intervals.push(StableInterval { from: self.limit(&from), to });
-                }
+                let to = Limit::between(open.0, open.1, Evidence::Undecided);
+                set.intervals.push(StableInterval { from: self.limit(&from), to });
                 set.undecided.push(open);
                 break;
             };
@@ -185,7 +183,7 @@ impl<'a> Walk<'a> {
     /// A stable stretch up to an edge.
     fn ended(&mut self, from: Edge, edge: &Edge, wave: ExactSpot) -> StableInterval {
         let interval = StableInterval { from: self.limit(&from), to: self.limit(edge) };
-        let to = StretchEnd::Edge(Box::new(edge.clone()), Some(wave));
+        let to = StretchEnd::Edge(Box::new(edge.clone()), wave);
         self.stretches.push(StableStretch { from, to });
         interval
     }
@@ -274,7 +272,13 @@ impl<'a> Walk<'a> {
         for width in widths.take_while(|&bits| bits >= LAST_WIDTH) {
             let lower = &edge.lower * (integer(1) - power_of_two(-i64::from(width)));
             if lower <= *reached {
-                break;
+                // Stable up to here already.
+                let beyond = edge.lower >= *reached;
+                return if beyond {
+                    Ok(Edge { lower: reached.clone(), ..edge })
+                } else {
+                    Err(last)
+                };
             }
             match self.search.is_stable(reached, &lower) {
                 Ok(()) => return Ok(Edge { lower, ..edge }),
@@ -331,30 +335,33 @@ impl<'a> Walk<'a> {
     fn end_of_instability(&mut self, reached: &Rational) -> Result<Edge, Rational> {
         let at = to_f64(reached);
         let unstable = self.search.guesses.next_unstable(at * (1.0 - SAME));
-        let (from, to) = unstable.ok_or_else(|| reached.clone())?;
-        if from.parameter > at || to.parameter > at * (1.0 + SAME) {
+        let (_, to) = unstable.ok_or_else(|| reached.clone())?;
+        if to.parameter > at * (1.0 + SAME) {
             return Err(reached.clone());
         }
         let refined = self.search.guesses.refined(&to, false);
         let edge = self.search.edge(&refined).ok_or_else(|| reached.clone())?;
         // Unstable as far as the wave of the edge is; stable from a little above it on.
         let spot = edge.spot.clone().ok_or_else(|| reached.clone())?;
-        let until = self.search.unstable_until(&reached.clone(), &spot);
-        let lower = until.map_or(reached.clone(), |until| until.min(edge.lower.clone()));
+        let nearer =
+            edge.lower > *reached && self.search.is_unstable_between(reached, &edge.lower, &spot);
+        let lower = if nearer { edge.lower } else { reached.clone() };
         let bits = i64::from(self.search.bits);
-        let exact = (edge.lower == edge.upper).then(|| edge.upper.clone());
-        let wider = [bits, bits - 12, bits - 20]
-            .map(|width| (&edge.upper * (integer(1) + power_of_two(-width)), width));
-        for (upper, width) in exact.map(|upper| (upper, bits - 12)).into_iter().chain(wider) {
-            let beyond = &upper * (integer(1) + power_of_two(6 - width));
-            if self.search.is_stable(&upper, &beyond).is_ok() {
-                // The wave of an exact edge is unstable right up to it.
-                let reaches = self.search.is_unstable_between(&lower, &upper, &spot);
-                let lower = if reaches { upper.clone() } else { lower };
-                return Ok(Edge { lower, upper, spot: Some(spot) });
-            }
+        let beyond = |upper: &Rational, width| upper * (integer(1) + power_of_two(6 - width));
+        let mut upper = edge.upper.clone();
+        if !self.search.is_easily_stable(&upper, &beyond(&upper, bits - 12)) {
+            let wider = [bits, bits - 12, bits - 20]
+                .map(|width| (&edge.upper * (integer(1) + power_of_two(-width)), width));
+            let found = wider.into_iter().find(|(upper, width)| {
+                self.search.is_stable(upper, &beyond(upper, *width)).is_ok()
+            });
+            let Some((wide, _)) = found else { return Err(lower) };
+            upper = wide;
         }
-        Err(lower)
+        // The wave of an exact edge is unstable right up to it.
+        let reaches = self.search.is_unstable_between(&lower, &upper, &spot);
+        let lower = if reaches { upper.clone() } else { lower };
+        Ok(Edge { lower, upper, spot: Some(spot) })
     }
 
     fn wave(&self, spot: &ExactSpot) -> Wave {
@@ -364,9 +371,6 @@ impl<'a> Walk<'a> {
     /// An edge in `t` as a limit on the parameter.
     fn limit(&self, edge: &Edge) -> Limit {
         let evidence = Evidence::Proved;
-        if !edge.upper.is_positive() {
-            return Limit::exactly(ExactValue::Fraction(Rational::zero()), evidence);
-        }
         let limit = match (edge.lower == edge.upper, self.stride) {
             (true, 2) => Limit::exactly(ExactValue::square_root(edge.lower.clone()), evidence),
             (true, _) => Limit::exactly(ExactValue::Fraction(edge.lower.clone()), evidence),

@@ -68,6 +68,17 @@ fn a_root_of_a_line_is_exact_however_long_and_of_a_constant_there_is_none() {
 }
 
 #[test]
+fn an_end_is_named_as_a_root_where_it_is_the_only_one() {
+    // (t − 1)(t − 2)(t − 3) and s beside it.
+    let margin = exact(&[&[-6, 1], &[11], &[-6], &[1]]);
+    let named = |upper: i64| {
+        let edge = Edge { lower: ratio(1, 2), upper: ratio(upper, 2), s: integer(0) };
+        search(&margin, 4).root_of_an_end(&edge).is_some()
+    };
+    assert_eq!([named(3), named(7)], [true, false]);
+}
+
+#[test]
 fn zero_is_a_limit_without_a_wave() {
     let margin = exact(&[&[1], &[-1]]);
     let zero = search(&margin, 4).limit(&Edge::zero(), Evidence::Proved);

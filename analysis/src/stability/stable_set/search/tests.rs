@@ -16,6 +16,35 @@ fn widths_grow_by_a_sixteenth_and_are_not_wider_than_the_last() {
 }
 
 #[test]
+fn what_is_left_open_is_a_sliver_or_all_of_the_rest() {
+    let max = integer(4);
+    let run = |margin: &Margin, end: Rational, bits| {
+        Search::new(margin, &end, bits).within(60).run(&end, Evidence::Proved)
+    };
+    // (3s − 1)² + (5t − 4)², as wide as the ends that are asked for.
+    let set = run(&margin(&[&[17, -6, 9], &[-40], &[25]], &integer(0)), max.clone(), 8);
+    let [(lower, upper)] = set.undecided[..] else { panic!("{set:?}") };
+    let [before, after] = &set.intervals[..] else { panic!("{set:?}") };
+    assert!((0.79..0.8).contains(&lower) && (0.8..0.81).contains(&upper), "{set:?}");
+    assert!(before.to.lower() == lower && after.from.upper() == upper, "{set:?}");
+    // The same times 4001 + 40000 s − 5000 t: within the sliver a wave becomes unstable, but not at once from 0 on.
+    let powers: [&[i64]; 4] = [
+        &[68_017, 655_994, -203_991, 360_000],
+        &[-245_040, -1_570_000, -45_000],
+        &[300_025, 1_000_000],
+        &[-125_000],
+    ];
+    let set = run(&margin(&powers, &integer(0)), max, 8);
+    assert!(set.intervals.len() == 1 && set.immediately_unstable.is_none(), "{set:?}");
+    assert!(0.79 < set.limit().lower() && set.limit().lower() < 0.8, "{set:?}");
+    // 3 − t within 1 is certainly unstable nowhere up to 7/2: all from 2 on is open, once.
+    let set = run(&margin(&[&[3], &[-1]], &integer(1)), ratio(7, 2), DEFAULT_BITS);
+    let [(lower, upper)] = set.undecided[..] else { panic!("{set:?}") };
+    assert!(2.0 - 1e-12 < lower && lower <= 2.0 && upper == 3.5, "{set:?}");
+    assert_eq!(set.intervals.len(), 1, "{set:?}");
+}
+
+#[test]
 fn what_stays_open_at_a_touch_is_stepped_over() {
     let margin = touching();
     let (max, bits) = (integer(4), 40);
