@@ -152,7 +152,7 @@ fn forces<const D: usize>(c: &mut Criterion<BusiestThread>) {
     measure::<D, _>(c, "gph3", gas, cubic, &Godunov::new(OwnKernels, solver));
     let exact = Godunov::new(OwnKernels, ExactIdeal(gas));
     measure::<D, _>(c, "gph3-exact", gas, cubic, &exact);
-    let case4 = Godunov::new(Convolution(VolumeInterpolation::Cubic), solver);
+    let case4 = Godunov::new(Convolution, solver);
     measure::<D, _>(c, "gph4", gas, Kernel::Gaussian, &case4);
     let isothermal = IsothermalGas { sound_speed: 1.0 };
     let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::AsShock };

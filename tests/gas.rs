@@ -1,11 +1,11 @@
 //! Gas dynamics from the command line.
 
-use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
+use std::process::Command;
 
 fn program() -> Command {
-    assert_cmd::cargo::cargo_bin_cmd!("courant")
+    Command::new(env!("CARGO_BIN_EXE_courant"))
 }
 
 fn courant(arguments: &[&str], out: &Path) -> (i32, String, String) {

@@ -1,10 +1,10 @@
 //! Particle scenes and the check of particle methods from the command line.
 
-use assert_cmd::Command;
 use serde_json::Value;
+use std::process::Command;
 
 fn courant(arguments: &[&str]) -> std::process::Output {
-    let mut command = Command::cargo_bin("courant").expect("the program is built for its tests");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_courant"));
     command.args(arguments).output().expect("the program starts")
 }
 

@@ -1,13 +1,12 @@
 //! Waves of particle methods as a user meets them: `dispersion`, `limits`, `check`, `map`.
 
-use assert_cmd::Command;
 use courant::analysis::scheme::catalogue::PARTICLE_INTEGRATORS;
 use serde_json::Value;
-use std::process::Output;
+use std::process::{Command, Output};
 
 fn courant(arguments: &str) -> Output {
     let words = arguments.split_whitespace();
-    Command::cargo_bin("courant").unwrap().args(words).output().unwrap()
+    Command::new(env!("CARGO_BIN_EXE_courant")).args(words).output().unwrap()
 }
 
 fn json(arguments: &str) -> Value {

@@ -3,7 +3,7 @@
 use crate::number::finite;
 use courant_analysis::exact::rational::{Rational, from_f64, integer, to_f64, to_text};
 use courant_simulation::advection::{
-    Discretisation, Fault, ModeRow, PathKind, Validation, ValidationError, ValidationPlan, validate,
+    Discretisation, Fault, Layout, ModeRow, Validation, ValidationError, ValidationPlan, validate,
 };
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -39,8 +39,6 @@ pub struct Settings {
     pub particles: usize,
     /// Steps of each run.
     pub steps: u64,
-    /// Which code steps.
-    pub path: PathKind,
     /// A deliberate error.
     pub fault: Option<Fault>,
 }
@@ -48,7 +46,7 @@ pub struct Settings {
 impl Default for Settings {
     /// 200 particles, 100 steps, neighbours found among the particles.
     fn default() -> Self {
-        Self { particles: 200, steps: 100, path: PathKind::Particles, fault: None }
+        Self { particles: 200, steps: 100, fault: None }
     }
 }
 
@@ -103,8 +101,10 @@ impl ValidationCase {
         regime: Regime,
         settings: Settings,
     ) -> Self {
-        let Settings { particles, steps, path, fault } = settings;
-        let plan = ValidationPlan { discretisation, courant_number, particles, steps, path, fault };
+        let Settings { particles, steps, fault } = settings;
+        let layout = Layout::Uniform;
+        let plan =
+            ValidationPlan { discretisation, courant_number, particles, steps, layout, fault };
         Self { plan, regime }
     }
 

@@ -76,30 +76,27 @@ impl Method {
         }
     }
 
-    /// The name in [`NAMES`](Self::NAMES).
-    pub fn name(&self) -> &'static str {
+    /// Name and title.
+    fn words(&self) -> [&'static str; 2] {
         match self {
-            Self::FiniteVolume(_) => "finite-volume",
-            Self::Particles(options) => options.method.name(),
+            Self::FiniteVolume(_) => ["finite-volume", "First-order Godunov finite volumes"],
+            Self::Particles(options) => [options.method.name(), options.method.title()],
             Self::Lagrangian(options) => match options.flux {
-                Flux::Exact => "lagrangian-exact",
-                Flux::Rusanov => "lagrangian-rusanov",
-                Flux::ModifiedRoe(_) => "lagrangian-roe",
+                Flux::Exact => ["lagrangian-exact", "Godunov-type SPH, exact Riemann flux"],
+                Flux::Rusanov => ["lagrangian-rusanov", "Godunov-type SPH, Rusanov flux"],
+                Flux::ModifiedRoe(_) => ["lagrangian-roe", "Godunov-type SPH, modified Roe flux"],
             },
         }
     }
 
+    /// The name in [`NAMES`](Self::NAMES).
+    pub fn name(&self) -> &'static str {
+        self.words()[0]
+    }
+
     /// The name that people use.
     pub fn title(&self) -> &'static str {
-        match self {
-            Self::FiniteVolume(_) => "First-order Godunov finite volumes",
-            Self::Particles(options) => options.method.title(),
-            Self::Lagrangian(options) => match options.flux {
-                Flux::Exact => "Godunov-type SPH, exact Riemann flux",
-                Flux::Rusanov => "Godunov-type SPH, Rusanov flux",
-                Flux::ModifiedRoe(_) => "Godunov-type SPH, modified Roe flux",
-            },
-        }
+        self.words()[1]
     }
 
     /// What helps against a breakdown, if anything is known to.
@@ -190,9 +187,11 @@ impl Method {
         let Start { mut evolution, waiting, max_steps } = self.start(scene, particles)?;
         let limits = Limits { steps: max_steps };
         // Inside the pool a small parallel loop costs no hand-over between threads.
+        let observe = |_: &_, time| observe(time);
         let mut run = rayon::scope(|_| {
-            Run::of(&mut *evolution, waiting, scene.end_time, limits, &mut observe)
+            Run::of(&mut *evolution, scene.end_time, limits, observe, |state| state.profile())
         });
+        run.waiting = waiting;
         run.warnings.extend(self.unresolved(scene, particles));
         Ok(run)
     }

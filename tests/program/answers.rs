@@ -192,7 +192,7 @@ fn check_as_csv_is_one_row() {
 #[test]
 fn a_full_standard_output_is_named() {
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("courant"));
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_courant"));
     let output = command.arg("list").stdout(full).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("standard output"), "{}", text(&output.stderr));

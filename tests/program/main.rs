@@ -1,8 +1,7 @@
 //! The program as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
-use std::process::Output;
+use std::process::{Command, Output};
 
 mod answers;
 mod curves;
@@ -16,7 +15,7 @@ mod scenes;
 mod subjects;
 
 fn courant(arguments: &[&str]) -> Output {
-    Command::cargo_bin("courant").unwrap().args(arguments).output().unwrap()
+    Command::new(env!("CARGO_BIN_EXE_courant")).args(arguments).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {

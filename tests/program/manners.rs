@@ -6,7 +6,7 @@ use super::{courant, json, text};
 fn unread(arguments: &[&str]) -> std::process::Output {
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);
-    let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("courant"));
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_courant"));
     command.args(arguments).stdout(writer).output().unwrap()
 }
 
@@ -259,8 +259,8 @@ fn what_a_run_changes_or_leaves_out_is_said() {
 #[test]
 fn the_manual_is_rendered_on_a_terminal() {
     let place = tempfile::tempdir().unwrap();
-    let program = assert_cmd::cargo::cargo_bin!("courant");
-    let command = format!("'{}' man limits", program.display());
+    let program = env!("CARGO_BIN_EXE_courant");
+    let command = format!("'{program}' man limits");
     let seen = std::process::Command::new("script")
         .args(["-qec", &command, place.path().join("typescript").to_str().unwrap()])
         .stdin(std::process::Stdio::null())

@@ -159,12 +159,17 @@ impl WithSimd for Tabulation<'_> {
         let mut sines = [vec![0.0; width], vec![0.0; width]];
         for node in 0..=cells / 2 {
             cosines.iter_mut().chain(&mut sines).for_each(|sums| sums.fill(0.0));
-            let terms = self.even.chunks_exact(width).zip(self.odd.chunks_exact(width));
-            for (order, (even, odd)) in terms.enumerate() {
+            // By index: adapters of iterators are not always inlined into code for a wider processor.
+            for order in 0..self.even.len() / width {
                 let (sine, cosine) = self.turns[order * node % self.turns.len()];
-                let (cosines, sines) = (&mut cosines[order % 2], &mut sines[order % 2]);
-                cosines.iter_mut().zip(even).for_each(|(sum, term)| *sum += term * cosine);
-                sines.iter_mut().zip(odd).for_each(|(sum, term)| *sum += term * sine);
+                let even = &self.even[order * width..][..width];
+                let odd = &self.odd[order * width..][..width];
+                let cosines = &mut cosines[order % 2][..width];
+                let sines = &mut sines[order % 2][..width];
+                for term in 0..width {
+                    cosines[term] += even[term] * cosine;
+                    sines[term] += odd[term] * sine;
+                }
             }
             for power in 0..self.powers {
                 let term = |m: usize, sign: f64| {

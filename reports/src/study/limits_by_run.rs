@@ -3,7 +3,7 @@
 use super::plan::{ByDetail, Case, Named, discretisation};
 use crate::number::significant;
 use crate::page::{Item, Section};
-use crate::paper_text::{PaperText, or_dash};
+use crate::paper_text::PaperText;
 use crate::report::Detail;
 use crate::{cells, words};
 use courant_analysis::exact::rational::{Rational, integer, to_text};
@@ -168,7 +168,7 @@ fn remarks(text: &PaperText, plan: &LongPlan, runs: &[LongCase]) -> Item {
     text.paragraph(
         "long_runs_text",
         words![
-            "drift" = or_dash(drifting.growth.mean_gain, 4),
+            "drift" = significant(drifting.growth.mean_gain, 4),
             "doubling" = format!("{:.0}", 2f64.ln() / slow.predicted_gain.ln()),
         ],
     )
@@ -205,12 +205,11 @@ fn long_run_row(LongCase { what, case, run }: &LongCase, particles: usize) -> Ve
         } else {
             format!("overflowed after {} steps", run.steps)
         },
-        run.growth.mean_gain.map_or_else(|| "–".into(), excess),
+        excess(run.growth.mean_gain),
         match run.growth.verdict {
             GrowthVerdict::Growing => "grows",
             GrowthVerdict::Neutral => "stays",
             GrowthVerdict::Decaying => "decays",
-            GrowthVerdict::Undecided => "undecided",
         },
     ]
 }

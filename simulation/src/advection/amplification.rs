@@ -4,9 +4,10 @@ use super::faulty::{Fault, Faulty};
 use super::method::{Method, MethodError};
 use super::modes::RingModes;
 use super::random::SplitMix64;
-use super::ring::{Ring, RingError};
+use super::ring::RingError;
+use super::run::Layout;
 use super::scheme::Discretisation;
-use super::stepper::{PathKind, Stepper};
+use super::stepper::Stepper;
 use courant_analysis::exact::stencil::Stencil;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -80,13 +81,13 @@ pub struct ValidationPlan {
     pub particles: usize,
     /// How many steps.
     pub steps: u64,
-    /// Which code steps.
-    pub path: PathKind,
+    /// Where the particles are and which code steps them; where they are not equally spaced, waves mix and nothing agrees.
+    pub layout: Layout,
     /// A deliberate error of the stepping code, to see the check fail.
     pub fault: Option<Fault>,
 }
 
-/// The gain and phase of every mode per step, all modes in one run of `steps` steps.
+/// The gain and phase of every mode of the ring per step, all modes in one run of `steps` steps.
 ///
 /// All modes start with modulus 1 and phases from a seed. After each step every amplitude is compared
 /// with what it was, and its modulus is set back to 1 while its phase goes on: left alone, a mode that
@@ -96,9 +97,12 @@ pub struct ValidationPlan {
 ///
 /// # Panics
 /// When there are no steps.
-pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) -> Vec<Complex64> {
+pub(super) fn measure_amplification(
+    stepper: &mut dyn Stepper,
+    modes: &RingModes,
+    steps: u64,
+) -> Vec<Complex64> {
     assert!(steps > 0, "a mean needs a step");
-    let modes = RingModes::new(stepper.state().len());
     let mut random = SplitMix64::new(0x6d6f_6465);
     let mut amplitudes: Vec<Complex64> = (0..modes.count())
         .map(|mode| match modes.is_real(mode) {
@@ -120,33 +124,6 @@ pub fn measure_amplification(stepper: &mut (impl Stepper + ?Sized), steps: u64) 
         }
     }
     sums.into_iter().map(|sum| sum / steps as f64).collect()
-}
-
-/// Sets what a stepper does beside what its coefficients say.
-///
-/// # Panics
-/// When there are no steps.
-pub fn compare_with_prediction(
-    stepper: &mut (impl Stepper + ?Sized),
-    stencil: &Stencil<f64>,
-    steps: u64,
-) -> Validation {
-    let measured = measure_amplification(stepper, steps);
-    let particles = stepper.state().len();
-    let modes = RingModes::new(particles);
-    let rows: Vec<ModeRow> = measured
-        .into_iter()
-        .enumerate()
-        .map(|(mode, measured)| {
-            let phase = modes.phase(mode);
-            let predicted = stencil.at_phase(phase);
-            let error = (measured - predicted).norm();
-            ModeRow { mode, phase, predicted, measured, error }
-        })
-        .collect();
-    let max_error = largest(rows.iter().map(|row| row.error));
-    let tolerance = tolerance(stencil, particles);
-    Validation { rows, steps, max_error, tolerance }
 }
 
 /// The largest of some errors; not a number if any of them is none.
@@ -173,7 +150,7 @@ fn tolerance(stencil: &Stencil<f64>, particles: usize) -> f64 {
 /// ```
 /// use courant_analysis::{kernel::Kernel, exact::rational::ratio};
 /// use courant_simulation::advection::{
-///     AdvectionScheme, Discretisation, PathKind, ValidationPlan, validate,
+///     AdvectionScheme, Discretisation, Layout, ValidationPlan, validate,
 /// };
 /// let plan = ValidationPlan {
 ///     discretisation: Discretisation::new(
@@ -181,7 +158,7 @@ fn tolerance(stencil: &Stencil<f64>, particles: usize) -> f64 {
 ///     courant_number: 0.75,
 ///     particles: 50,
 ///     steps: 100,
-///     path: PathKind::Particles,
+///     layout: Layout::Uniform,
 ///     fault: None,
 /// };
 /// let validation = validate(&plan).unwrap();
@@ -196,51 +173,21 @@ pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
     if plan.steps == 0 {
         return Err(ValidationError::NoSteps);
     }
-    let ring = Ring::uniform(plan.particles, plan.particles as f64)?;
-    let stepper = plan.path.on_uniform(method, &ring);
-    let stencil = plan.discretisation.stencil(plan.courant_number);
-    let compare =
-        |mut stepper: Box<dyn Stepper>| compare_with_prediction(&mut stepper, &stencil, plan.steps);
-    Ok(match plan.fault {
-        None => compare(stepper),
-        Some(fault) => compare(Box::new(Faulty::new(stepper, fault))),
-    })
-}
-
-/// Gain and phase per step of one mode over a free run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ModeFit {
-    /// `|g|`.
-    pub gain: f64,
-    /// `arg g` in radians, in `(−π, π]` but for rounding.
-    pub phase: f64,
-}
-
-/// Excites one mode as a real wave, steps freely, and takes gain and phase per step as the means of the
-/// changes of `ln|a|` and of the phase.
-///
-/// Nothing is touched in between. Rounding feeds all modes, so the fit holds while
-/// `(max|g| / |g_m|)^steps` stays well below `1/ε`. `None` when the amplitude vanished or overflowed.
-pub fn fit_mode(stepper: &mut (impl Stepper + ?Sized), mode: usize, steps: u64) -> Option<ModeFit> {
-    let modes = RingModes::new(stepper.state().len());
-    let mut amplitudes = vec![Complex64::new(0.0, 0.0); modes.count()];
-    amplitudes[mode] = Complex64::new(1.0, 0.0);
-    stepper.set_state(&modes.state(&amplitudes));
-    let first = modes.amplitude(mode, stepper.state());
-    let (mut before, mut heading, mut turned) = (first, None, 0.0);
-    for _ in 0..steps {
-        stepper.step();
-        let after = modes.amplitude(mode, stepper.state());
-        let change = after * before.conj();
-        // Angles are taken from the first step's: about π itself they would jump by a full turn.
-        let heading = *heading.get_or_insert(change);
-        turned += (change * heading.conj()).arg();
-        before = after;
+    let (_, mut inner) = plan.layout.stepper(method, plan.particles, plan.particles as f64)?;
+    if let Some(fault) = plan.fault {
+        inner = Box::new(Faulty { inner, fault });
     }
-    let ratio = before.norm() / first.norm();
-    let start = heading.map_or(0.0, |change: Complex64| change.arg());
-    (ratio.is_finite() && ratio > 0.0).then(|| ModeFit {
-        gain: (ratio.ln() / steps as f64).exp(),
-        phase: start + turned / steps as f64,
-    })
+    let stencil = plan.discretisation.stencil(plan.courant_number);
+    let modes = RingModes::new(plan.particles);
+    let row = |(mode, measured): (usize, Complex64)| {
+        let phase = modes.phase(mode);
+        let predicted = stencil.at_phase(phase);
+        let error = (measured - predicted).norm();
+        ModeRow { mode, phase, predicted, measured, error }
+    };
+    let measured = measure_amplification(&mut *inner, &modes, plan.steps).into_iter();
+    let rows: Vec<ModeRow> = measured.enumerate().map(row).collect();
+    let max_error = largest(rows.iter().map(|row| row.error));
+    let tolerance = tolerance(&stencil, plan.particles);
+    Ok(Validation { rows, steps: plan.steps, max_error, tolerance })
 }

@@ -5,6 +5,7 @@ use super::particle_path::ParticlePath;
 use super::ring::{Ring, RingError};
 use super::scheme::Discretisation;
 use super::stepper::Stepper;
+use crate::stepping::eigenvalues;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -115,50 +116,18 @@ pub fn gain_against_disorder(
     Ok(study)
 }
 
-/// Squarings of the matrix of a step: the power `2^36` brings any factor in front of the growth within `1e-9` of 1.
-const SQUARINGS: u32 = 36;
-
-/// The largest modulus of the eigenvalues of a step: `‖M^n‖^{1/n}` for a very large power `n` of two.
-///
-/// Rounding of a squaring changes the logarithm of the norm by about the rounding of one sum, and the root divides
-/// it by the power reached so far: all of them together stay below `1e-12`.
+/// The largest modulus of the eigenvalues of a step, whose columns are what it makes of unit vectors.
 fn spectral_radius(stepper: &mut ParticlePath) -> f64 {
     let count = stepper.state().len();
-    // By columns: the k-th is what a step makes of the k-th unit vector. Squares do not depend on that order.
-    let mut power = Vec::with_capacity(count * count);
+    let mut matrix = vec![vec![Complex64::ZERO; count]; count];
     for k in 0..count {
         let mut unit = vec![0.0; count];
         unit[k] = 1.0;
         stepper.set_state(&unit);
         stepper.step();
-        power.extend_from_slice(stepper.state());
+        matrix.iter_mut().zip(stepper.state()).for_each(|(row, value)| row[k] = (*value).into());
     }
-    let mut logarithm = 0.0;
-    for squared in 0..=SQUARINGS {
-        if squared > 0 {
-            power = square(&power, count);
-        }
-        let norm = power.iter().map(|value| value * value).sum::<f64>().sqrt();
-        if norm == 0.0 {
-            return 0.0;
-        }
-        power.iter_mut().for_each(|value| *value /= norm);
-        logarithm += norm.ln() / f64::from(squared).exp2();
-    }
-    logarithm.exp()
-}
-
-/// The square of a matrix of `count` rows.
-fn square(matrix: &[f64], count: usize) -> Vec<f64> {
-    let mut product = vec![0.0; count * count];
-    for (sums, row) in product.chunks_mut(count).zip(matrix.chunks(count)) {
-        for (&factor, other) in row.iter().zip(matrix.chunks(count)) {
-            for (sum, value) in sums.iter_mut().zip(other) {
-                *sum += factor * value;
-            }
-        }
-    }
-    product
+    eigenvalues(&matrix).iter().map(|value| value.norm()).fold(0.0, f64::max)
 }
 
 /// The part of `S e^{iκξ}` in the wave itself, and the mean square of the rest.

@@ -12,20 +12,12 @@ pub struct Fault {
 }
 
 /// A stepper that makes the same mistake at every step.
-#[derive(Debug)]
-pub struct Faulty<S> {
-    inner: S,
-    fault: Fault,
+pub(super) struct Faulty {
+    pub inner: Box<dyn Stepper>,
+    pub fault: Fault,
 }
 
-impl<S: Stepper> Faulty<S> {
-    /// The stepper with the fault.
-    pub fn new(inner: S, fault: Fault) -> Self {
-        Self { inner, fault }
-    }
-}
-
-impl<S: Stepper> Stepper for Faulty<S> {
+impl Stepper for Faulty {
     fn step(&mut self) {
         let before = self.inner.state().to_vec();
         self.inner.step();

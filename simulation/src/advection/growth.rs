@@ -6,8 +6,8 @@ use super::stepper::Stepper;
 /// Rates below this, per step, are rounding: a norm over a window is right to about `1e-15`.
 const RESOLUTION: f64 = 1e-13;
 
-/// Windows in a row that must grow.
-const CONFIRMING_WINDOWS: usize = 4;
+/// Windows from which the rate can be told to have settled.
+const FEWEST_WINDOWS: usize = 5;
 
 /// How a growth measurement is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,42 +16,31 @@ pub struct GrowthPlan {
     pub windows: usize,
     /// Steps in each window.
     pub steps_per_window: u64,
-    /// Whether the mean is watched apart from the rest, as it can be where constants are an eigenvector of
-    /// the step: on a uniform lattice. A mean that merely stays would hide that all else decays.
-    pub mean_apart: bool,
-    /// Whether to stop once the rate per window has settled to a hundredth of itself. That it approaches
-    /// its end steadily is certain on a uniform lattice only.
+    /// Whether to stop once the rate per window has settled to a hundredth of itself.
     pub stop_when_settled: bool,
 }
 
 impl GrowthPlan {
     /// A run of exactly so many steps on a uniform lattice.
     pub fn lattice(windows: usize, steps_per_window: u64) -> Self {
-        Self { windows, steps_per_window, mean_apart: true, stop_when_settled: false }
+        Self { windows, steps_per_window, stop_when_settled: false }
     }
 
     /// A run on a uniform lattice of at most so many steps that stops when the rate has settled.
     pub fn settling(windows: usize, steps_per_window: u64) -> Self {
         Self { stop_when_settled: true, ..Self::lattice(windows, steps_per_window) }
     }
-
-    /// A run of exactly so many steps over any positions.
-    pub fn disordered(windows: usize, steps_per_window: u64) -> Self {
-        Self { mean_apart: false, ..Self::lattice(windows, steps_per_window) }
-    }
 }
 
 /// What a scheme does in the long run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GrowthVerdict {
-    /// The last four windows all grew.
+    /// The last window grew: on a lattice it then grows for ever.
     Growing,
     /// The last window neither grew nor decayed by more than rounding.
     Neutral,
-    /// The last window decayed; what grew before it was transient.
+    /// The last window decayed.
     Decaying,
-    /// The last window grew but not all of the last four did: the run was too short to tell.
-    Undecided,
 }
 
 /// A growth measurement.
@@ -62,11 +51,9 @@ pub struct Growth {
     /// The factor per step over the last window, or of the mean if that is larger. Infinite when the
     /// values overflowed within one window.
     pub gain_per_step: f64,
-    /// The factor per step of the mean, when it was watched apart.
-    pub mean_gain: Option<f64>,
-    /// The largest norm at the end of any window over the first norm: above 1 without growth in the end
-    /// is a transient.
-    pub peak: f64,
+    /// The factor per step of the mean, which is watched apart: constants are an eigenvector of a step on a lattice, and a
+    /// mean that merely stays would hide that all else decays.
+    pub mean_gain: f64,
     /// `(steps done, log10 of the norm over the first norm)` at the end of each window.
     pub history: Vec<(u64, f64)>,
 }
@@ -79,7 +66,7 @@ impl Growth {
 }
 
 /// Fills a stepper with noise: uniform in `[−1, 1)`, mean zero.
-pub fn seed_with_noise(stepper: &mut (impl Stepper + ?Sized), seed: u64) {
+pub fn seed_with_noise(stepper: &mut dyn Stepper, seed: u64) {
     let mut random = SplitMix64::new(seed);
     let mut values: Vec<f64> = stepper.state().iter().map(|_| random.symmetric()).collect();
     remove_mean(&mut values);
@@ -105,7 +92,7 @@ fn norm(values: &[f64]) -> f64 {
 /// factor, and the increments to come add up to a geometric series.
 fn is_settled(rates: &[f64]) -> bool {
     let [.., before, middle, last] = *rates else { return false };
-    if rates.len() <= CONFIRMING_WINDOWS {
+    if rates.len() < FEWEST_WINDOWS {
         return false;
     }
     let (first, second) = (middle - before, last - middle);
@@ -119,29 +106,24 @@ fn is_settled(rates: &[f64]) -> bool {
 
 /// Steps from the present state and watches the root-mean-square norm window by window.
 ///
-/// On a uniform lattice the modes are orthogonal, so `ln` of the norm is a convex function of the step
+/// On a uniform lattice, for which this is, the modes are orthogonal, so `ln` of the norm is a convex function of the step
 /// count: a norm that grows once grows for ever, and the rate of a window never exceeds that of the
-/// fastest mode, which it approaches. On disordered positions the norm may grow for a while under a
-/// decaying step; that is why several windows at the end must grow. The state is scaled by powers of two
-/// between windows, so that neither overflow nor underflow ends a run.
+/// fastest mode, which it approaches. The state is scaled by powers of two between windows, so that neither overflow nor
+/// underflow ends a run.
 ///
 /// # Panics
 /// When there are fewer than five windows or no steps in them.
-pub fn measure_growth(stepper: &mut (impl Stepper + ?Sized), plan: &GrowthPlan) -> Growth {
-    assert!(plan.windows > CONFIRMING_WINDOWS && plan.steps_per_window > 0, "too short a plan");
+pub fn measure_growth(stepper: &mut dyn Stepper, plan: &GrowthPlan) -> Growth {
+    assert!(plan.windows >= FEWEST_WINDOWS && plan.steps_per_window > 0, "too short a plan");
     let mut values = stepper.state().to_vec();
-    let mean_gain = plan.mean_apart.then(|| {
-        stepper.set_state(&vec![1.0; values.len()]);
-        stepper.step();
-        mean(stepper.state()).abs()
-    });
+    stepper.set_state(&vec![1.0; values.len()]);
+    stepper.step();
+    let mean_gain = mean(stepper.state()).abs();
     let mut log_norm = 0.0;
     let mut rates = Vec::with_capacity(plan.windows);
     let mut history = vec![(0, 0.0)];
     for window in 1..=plan.windows as u64 {
-        if plan.mean_apart {
-            remove_mean(&mut values);
-        }
+        remove_mean(&mut values);
         let before = norm(&values);
         if before == 0.0 {
             rates.push(f64::NEG_INFINITY);
@@ -165,25 +147,19 @@ pub fn measure_growth(stepper: &mut (impl Stepper + ?Sized), plan: &GrowthPlan) 
         }
     }
     let fastest = rates.last().copied().unwrap_or(0.0);
-    let last = &rates[rates.len().saturating_sub(CONFIRMING_WINDOWS)..];
     // The mean of a scheme that keeps constants stays but for rounding: it counts only where it grows.
-    let mean_rate = mean_gain.map(f64::ln).filter(|&rate| rate > RESOLUTION);
-    let confirmed = fastest == f64::INFINITY || last.iter().all(|&rate| rate > RESOLUTION);
-    let verdict = if mean_rate.is_some() || confirmed {
+    let mean_rate = Some(mean_gain.ln()).filter(|&rate| rate > RESOLUTION);
+    let verdict = if mean_rate.is_some() || fastest > RESOLUTION {
         GrowthVerdict::Growing
-    } else if fastest > RESOLUTION {
-        GrowthVerdict::Undecided
     } else if fastest < -RESOLUTION {
         GrowthVerdict::Decaying
     } else {
         GrowthVerdict::Neutral
     };
-    let peak = history.iter().map(|&(_, log)| log).fold(0.0, f64::max);
     Growth {
         verdict,
         gain_per_step: mean_rate.map_or(fastest, |rate| rate.max(fastest)).exp(),
         mean_gain,
-        peak: 10f64.powf(peak),
         history,
     }
 }

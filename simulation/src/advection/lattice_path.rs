@@ -74,11 +74,6 @@ impl LatticeCoefficients {
         }
         Self { values, left }
     }
-
-    /// How far to the right they reach.
-    pub fn right(&self) -> usize {
-        self.values.len() - 1 - self.left
-    }
 }
 
 /// A stencil applied to an array.

@@ -70,7 +70,7 @@ pub fn measured_stability_limit(
         runs += 1;
         let growth = noise_growth(discretisation, courant_number, particles, plan);
         steps += growth.steps();
-        matches!(growth.verdict, GrowthVerdict::Growing | GrowthVerdict::Undecided)
+        growth.verdict == GrowthVerdict::Growing
     };
     if lower > 0.0 && grows(lower) {
         return Err(NoBracket::LowerGrows(lower));

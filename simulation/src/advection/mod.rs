@@ -27,13 +27,10 @@ mod scene;
 mod scheme;
 mod stepper;
 
-pub use amplification::{
-    ModeFit, ModeRow, Validation, ValidationError, ValidationPlan, compare_with_prediction,
-    fit_mode, measure_amplification, validate,
-};
+pub use amplification::{ModeRow, Validation, ValidationError, ValidationPlan, validate};
 pub use cost::{Recommendation, pareto_front, recommend};
 pub use disorder::{DisorderGrowth, DisorderRow, DisorderStudy, gain_against_disorder};
-pub use faulty::{Fault, Faulty};
+pub use faulty::Fault;
 pub use growth::{Growth, GrowthPlan, GrowthVerdict, measure_growth, seed_with_noise};
 pub use lattice_path::{LatticeCoefficients, LatticePath};
 pub use limit::{
@@ -42,7 +39,6 @@ pub use limit::{
 };
 pub use method::{Method, MethodError};
 pub use modes::RingModes;
-pub use neighbours::Neighbours;
 pub use particle_path::ParticlePath;
 pub use profile::{Comparison, Extrema, total_variation};
 pub use published::{CriticalGrowth, growth_at};
@@ -51,7 +47,7 @@ pub use ring::{Ring, RingError};
 pub use run::{AdvectionRun, Layout, PlanError, RunPlan, run, run_with};
 pub use scene::{AdvectionScene, Piece};
 pub use scheme::{AdvectionScheme, Discretisation, UnknownScheme};
-pub use stepper::{PathKind, Stepper};
+pub use stepper::Stepper;
 
 #[cfg(test)]
 mod tests;

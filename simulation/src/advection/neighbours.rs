@@ -1,6 +1,8 @@
 //! Who is near whom on a ring.
 
 use super::ring::Ring;
+use crate::boundary::Boundary;
+use crate::particles::{self, Domain};
 
 /// For every particle its neighbours within a distance, from the farthest on the left to the farthest on
 /// the right, the particle itself in between.
@@ -12,87 +14,41 @@ use super::ring::Ring;
 /// lattice point lies off the edge by less than that.
 ///
 /// Where the reach exceeds the period a particle is its neighbours' neighbour more than once.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Neighbours {
-    starts: Vec<usize>,
-    own: Vec<usize>,
-    indices: Vec<u32>,
-    displacements: Vec<f64>,
+#[derive(Debug, Clone)]
+pub(super) struct Neighbours {
+    /// Where the entries of each particle begin, and where the last ones end.
+    pub starts: Vec<usize>,
+    /// Which entry is the particle itself.
+    pub own: Vec<usize>,
+    /// Which particle each entry is.
+    pub indices: Vec<u32>,
+    /// `ξ_j − ξ_i` of each entry, through the period where that is the way.
+    pub displacements: Vec<f64>,
 }
 
 impl Neighbours {
-    /// The neighbours within `reach` on the ring: positions are sorted, so each search walks outwards
-    /// from the particle and stops at the first one too far.
+    /// The neighbours within `reach`.
     pub fn find(ring: &Ring, reach: f64) -> Self {
-        let positions = ring.positions();
-        let count = positions.len();
+        let positions: Vec<[f64; 1]> = ring.positions().iter().map(|&x| [x]).collect();
         let limit = reach + 4.0 * f64::EPSILON * (ring.length() + reach);
-        let mut found =
-            Self { starts: vec![0], own: Vec::new(), indices: Vec::new(), displacements: vec![] };
-        let mut left = Vec::new();
-        for (i, &position) in positions.iter().enumerate() {
-            // The offset of a periodic image is added to the difference, not to a position: that keeps
-            // equal gaps equal.
-            left.clear();
-            for steps in 1.. {
-                let (j, periods) = wrapped(i as i64 - steps, count);
-                let displacement = positions[j] - position + periods * ring.length();
-                if -displacement > limit {
-                    break;
-                }
-                left.push((j, displacement.max(-reach)));
-            }
-            for &(j, displacement) in left.iter().rev() {
-                found.push(j, displacement);
-            }
-            found.own.push(found.indices.len());
-            found.push(i, 0.0);
-            for steps in 1.. {
-                let (j, periods) = wrapped(i as i64 + steps, count);
-                let displacement = positions[j] - position + periods * ring.length();
-                if displacement > limit {
-                    break;
-                }
-                found.push(j, displacement.min(reach));
+        let domain = Domain::new([0.0], [ring.length()], Boundary::Periodic);
+        let mut near = particles::Neighbours::default();
+        near.search(&domain, &positions, &vec![limit; positions.len()]);
+        let (own, indices, displacements) = (Vec::new(), Vec::new(), Vec::new());
+        let mut found = Self { starts: vec![0], own, indices, displacements };
+        for (i, (before, after)) in (0..).zip(near.rows()) {
+            found.own.push(found.indices.len() + before.len());
+            for (j, displacement) in before.chain([(i, 0.0)]).chain(after) {
+                found.indices.push(j);
+                found.displacements.push(displacement.clamp(-reach, reach));
             }
             found.starts.push(found.indices.len());
         }
         found
     }
 
-    fn push(&mut self, index: usize, displacement: f64) {
-        self.indices.push(u32::try_from(index).expect("a ring holds fewer than 2^32 particles"));
-        self.displacements.push(displacement);
-    }
-
-    /// How many particles there are.
-    pub fn particles(&self) -> usize {
-        self.own.len()
-    }
-
     /// Ordered pairs of neighbours, a particle with itself not counted.
     pub fn pairs(&self) -> u64 {
         (self.indices.len() - self.own.len()) as u64
     }
-
-    /// The entries that belong to particle `i`: `(first, the particle itself, one past the last)`.
-    pub fn row(&self, i: usize) -> (usize, usize, usize) {
-        (self.starts[i], self.own[i], self.starts[i + 1])
-    }
-
-    /// Which particle each entry is.
-    pub fn indices(&self) -> &[u32] {
-        &self.indices
-    }
-
-    /// `ξ_j − ξ_i` of each entry, through the period where that is the way.
-    pub fn displacements(&self) -> &[f64] {
-        &self.displacements
-    }
-}
-
-/// The particle with this unwrapped index, and how many periods away.
-fn wrapped(index: i64, count: usize) -> (usize, f64) {
-    let count = count as i64;
-    (index.rem_euclid(count) as usize, index.div_euclid(count) as f64)
 }

@@ -59,9 +59,9 @@ impl ParticlePath {
         let neighbours = Neighbours::find(ring, support * smoothing_length);
         let weights = |weight: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
             neighbours
-                .indices()
+                .indices
                 .iter()
-                .zip(neighbours.displacements())
+                .zip(&neighbours.displacements)
                 .map(|(&j, &displacement)| {
                     // A point on the edge must not fall off it by the rounding of this division.
                     let q = (displacement.abs() / smoothing_length).min(support);
@@ -89,17 +89,12 @@ impl ParticlePath {
         let count = ring.positions().len();
         Self { neighbours, update, values: vec![0.0; count], next: vec![0.0; count] }
     }
-
-    /// The neighbours found.
-    pub fn neighbours(&self) -> &Neighbours {
-        &self.neighbours
-    }
 }
 
 /// The new value of particle `i`. The order of summation is that of the neighbours, whatever the threads.
 fn updated(neighbours: &Neighbours, update: &Update, values: &[f64], i: usize) -> f64 {
-    let (start, own, end) = neighbours.row(i);
-    let indices = neighbours.indices();
+    let Neighbours { starts, own, indices, .. } = neighbours;
+    let (start, own, end) = (starts[i], own[i], starts[i + 1]);
     let sum = |weights: &[f64], from: usize, to: usize| -> f64 {
         let entries = weights[from..to].iter().zip(&indices[from..to]);
         entries.map(|(weight, &j)| weight * values[j as usize]).sum()

@@ -1,15 +1,16 @@
 //! Growth at a Courant number said to be stable: the printed limits of Ferrari et al. 2008, Table 1.
 
-use super::amplification::fit_mode;
 use super::lattice_path::LatticePath;
 use super::method::Method;
+use super::modes::RingModes;
 use super::scheme::Discretisation;
-use courant_analysis::exact::stencil::Stencil;
-use std::f64::consts::PI;
+use super::stepper::Stepper;
+use courant_analysis::stability::weak_instability::{
+    fastest_growth, growth_seen_by, steps_to_double,
+};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
-
-/// Phases looked at for each oscillation of the fastest-growing part of the gain.
-const SAMPLES_PER_OFFSET: usize = 256;
 
 /// The fastest-growing wave at one Courant number, predicted and run.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,60 +50,34 @@ pub fn growth_at(
     sizes: RangeInclusive<usize>,
     steps: u64,
 ) -> CriticalGrowth {
-    let stencil = discretisation.stencil(courant_number);
-    let gain = |phase: f64| stencil.at_phase(phase).norm();
-    let (critical_phase, largest_gain) = largest_gain(&stencil);
-    let mut best: Option<(usize, usize, f64)> = None;
-    for particles in sizes.filter(|&particles| particles >= 2) {
-        let nearest = critical_phase / (2.0 * PI) * particles as f64;
-        for mode in [nearest.floor(), nearest.ceil()] {
-            let mode = (mode as usize).clamp(1, particles / 2);
-            let gain = gain(ring_phase(particles, mode));
-            // The smaller of two equally good rings.
-            if best.is_none_or(|(_, _, found)| gain > found) {
-                best = Some((particles, mode, gain));
-            }
-        }
-    }
-    let (particles, mode, predicted_gain) = best.expect("some size of ring is allowed");
+    let margin = discretisation.margin();
+    let critical = fastest_growth(&margin, courant_number);
+    let seen = |particles| (particles, growth_seen_by(&margin, courant_number, particles));
+    let (particles, wave) = (sizes.filter(|&particles| particles >= 2).map(seen))
+        // The smaller of two equally good rings.
+        .reduce(|best, other| if other.1.growth > best.1.growth { other } else { best })
+        .expect("some size of ring is allowed");
+    let mode = (wave.phase / TAU * particles as f64).round() as usize;
     let mut stepper = LatticePath::new(Method::of(discretisation, courant_number), particles);
-    let measured_gain = fit_mode(&mut stepper, mode, steps).map(|fit| fit.gain);
+    let modes = RingModes::new(particles);
+    let mut amplitudes = vec![Complex64::ZERO; modes.count()];
+    amplitudes[mode] = Complex64::ONE;
+    stepper.set_state(&modes.state(&amplitudes));
+    let first = modes.amplitude(mode, stepper.state());
+    (0..steps).for_each(|_| stepper.step());
+    let ratio = modes.amplitude(mode, stepper.state()).norm() / first.norm();
+    let grew = ratio.is_finite() && ratio > 0.0;
+    let measured_gain = grew.then(|| (ratio.ln() / steps as f64).exp());
     CriticalGrowth {
         courant_number,
-        critical_phase,
-        largest_gain,
+        critical_phase: critical.phase,
+        largest_gain: 1.0 + critical.growth,
         particles,
         mode,
-        phase: ring_phase(particles, mode),
-        predicted_gain,
+        phase: wave.phase,
+        predicted_gain: 1.0 + wave.growth,
         measured_gain,
         steps,
-        steps_to_double: (predicted_gain > 1.0).then(|| 2f64.ln() / predicted_gain.ln()),
+        steps_to_double: steps_to_double(wave.growth),
     }
-}
-
-/// `φ_m = 2πm/N` in radians.
-fn ring_phase(particles: usize, mode: usize) -> f64 {
-    2.0 * PI * mode as f64 / particles as f64
-}
-
-/// The phase with the largest gain, `φ = 0` left out, and that gain: the best of a grid that resolves
-/// every oscillation of the gain, refined by golden section.
-fn largest_gain(stencil: &Stencil<f64>) -> (f64, f64) {
-    let (low, high) = stencil.reach().unwrap_or((0, 0));
-    let samples = SAMPLES_PER_OFFSET * (high - low).max(1) as usize;
-    let spacing = PI / samples as f64;
-    let gain = |phase: f64| stencil.at_phase(phase).norm();
-    let best = (1..=samples)
-        .map(|index| index as f64 * spacing)
-        .max_by(|&a, &b| gain(a).total_cmp(&gain(b)))
-        .expect("there is at least one sample");
-    let (mut left, mut right) = (best - spacing, (best + spacing).min(PI));
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    while right - left > 1e-9 {
-        let (a, b) = (right - golden * (right - left), left + golden * (right - left));
-        if gain(a) < gain(b) { left = a } else { right = b }
-    }
-    let refined = left.midpoint(right);
-    if gain(refined) >= gain(best) { (refined, gain(refined)) } else { (best, gain(best)) }
 }

@@ -19,16 +19,6 @@ pub enum RingError {
     /// There must be room for them.
     #[error("the length {0} of a ring must be positive and finite")]
     Length(f64),
-    /// Positions must ascend strictly within `[0, length)`.
-    #[error(
-        "the position {position} of particle {index} is not in [0, length) above its neighbour's"
-    )]
-    Position {
-        /// Which particle.
-        index: usize,
-        /// Where it is.
-        position: f64,
-    },
     /// Neighbours displaced by half a spacing could meet.
     #[error("the disorder {0} must be at least 0 and below 0.5 spacings")]
     Disorder(f64),
@@ -48,7 +38,7 @@ impl Ring {
     }
 
     /// The uniform ring with each particle displaced by a uniformly distributed amount within
-    /// `± disorder Δξ`; volumes by Voronoi cells.
+    /// `± disorder Δξ`; volumes by Voronoi cells, `V_j = (ξ_{j+1} − ξ_{j−1})/2`.
     ///
     /// # Errors
     /// As [`uniform`](Self::uniform), and when the disorder is not in `[0, 0.5)`.
@@ -63,26 +53,11 @@ impl Ring {
         }
         let spacing = checked_spacing(particles, length)?;
         let mut random = SplitMix64::new(seed);
-        let positions = (0..particles)
+        // Displaced by less than half a spacing they stay in order, and on the line.
+        let positions: Vec<f64> = (0..particles)
             .map(|j| (j as f64 + 0.5 + disorder * random.symmetric()) * spacing)
             .collect();
-        Self::from_positions(positions, length)
-    }
-
-    /// From positions, with Voronoi volumes `V_j = (ξ_{j+1} − ξ_{j−1})/2`.
-    ///
-    /// # Errors
-    /// When the positions do not ascend strictly within `[0, length)`.
-    pub fn from_positions(positions: Vec<f64>, length: f64) -> Result<Self, RingError> {
-        checked_spacing(positions.len(), length)?;
-        let mut previous = f64::NEG_INFINITY;
-        for (index, &position) in positions.iter().enumerate() {
-            if !(position >= 0.0 && position < length && position > previous) {
-                return Err(RingError::Position { index, position });
-            }
-            previous = position;
-        }
-        let count = positions.len();
+        let count = particles;
         let volumes = (0..count)
             .map(|j| {
                 let left = if j == 0 { positions[count - 1] - length } else { positions[j - 1] };

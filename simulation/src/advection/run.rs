@@ -7,7 +7,7 @@ use super::profile::Comparison;
 use super::ring::{Ring, RingError};
 use super::scene::AdvectionScene;
 use super::stepper::Stepper;
-use crate::march::{Evolution, Limits, March, march};
+use crate::march::{Evolution, Limits, march};
 use crate::run::{Conservation, Counters, Failure, Penetration, Promise, Reason, Run};
 use std::ops::ControlFlow;
 
@@ -17,7 +17,7 @@ const MOST_STEPS: f64 = 1e9;
 /// Steps between two looks at the state.
 const LOOK_EVERY: u64 = 256;
 
-/// Where the particles are and which path steps them.
+/// Where the particles are and which code steps them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Layout {
     /// Equal spacing, [`LatticePath`].
@@ -31,6 +31,28 @@ pub enum Layout {
         /// The seed of the displacements.
         seed: u64,
     },
+}
+
+impl Layout {
+    /// So many particles on a ring of that length, and what steps them, all values zero.
+    pub(super) fn stepper(
+        self,
+        method: Method,
+        particles: usize,
+        length: f64,
+    ) -> Result<(Ring, Box<dyn Stepper>), RingError> {
+        let ring = match self {
+            Self::Lattice | Self::Uniform => Ring::uniform(particles, length)?,
+            Self::Disordered { disorder, seed } => {
+                Ring::disordered(particles, length, disorder, seed)?
+            }
+        };
+        let stepper: Box<dyn Stepper> = match self {
+            Self::Lattice => Box::new(LatticePath::new(method, particles)),
+            Self::Uniform | Self::Disordered { .. } => Box::new(ParticlePath::new(method, &ring)),
+        };
+        Ok((ring, stepper))
+    }
 }
 
 /// Everything a run needs.
@@ -141,96 +163,42 @@ pub fn run_with(
     plan: &RunPlan,
     mut observe: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<AdvectionRun, PlanError> {
-    let prepared = Prepared::new(plan)?;
-    let (stepper, march) = prepared.advance(&mut observe);
-    Ok(prepared.result(&*stepper, &march))
-}
-
-/// A plan that was found in range, with its particles and their data: all that does not count as cost.
-pub(super) struct Prepared<'a> {
-    plan: &'a RunPlan,
-    method: Method,
-    ring: Ring,
-    initial: Vec<f64>,
-    total: u64,
-}
-
-impl<'a> Prepared<'a> {
-    pub(super) fn new(plan: &'a RunPlan) -> Result<Self, PlanError> {
-        plan.check()?;
-        let ring = match plan.layout {
-            Layout::Lattice | Layout::Uniform => Ring::uniform(plan.particles, 1.0)?,
-            Layout::Disordered { disorder, seed } => {
-                Ring::disordered(plan.particles, 1.0, disorder, seed)?
-            }
-        };
-        let (total, courant_number) = equal_steps(plan);
-        let method = Method { courant_number, ..plan.method };
-        let places = ring.positions().iter().map(|&part| plan.scene.place(part));
-        let initial = places.map(|x| plan.scene.initial(x)).collect();
-        Ok(Self { plan, method, ring, initial, total: total as u64 })
+    plan.check()?;
+    let scene = &plan.scene;
+    let (total, courant_number) = equal_steps(plan);
+    let method = Method { courant_number, ..plan.method };
+    let (ring, mut stepper) = plan.layout.stepper(method, plan.particles, 1.0)?;
+    let mut positions: Vec<f64> = ring.positions().iter().map(|&part| scene.place(part)).collect();
+    let mut initial: Vec<f64> = positions.iter().map(|&x| scene.initial(x)).collect();
+    stepper.set_state(&initial);
+    let (end, step) = (scene.end_time, scene.end_time / total);
+    let mut evolution = EqualSteps { stepper, step, taken: 0 };
+    let limits = Limits { steps: usize::MAX };
+    let mut march = march(&mut evolution, end, limits, |_, time| observe(time));
+    // The last look was up to so many steps ago.
+    if let (None, Err(reason)) = (march.failure, evolution.check()) {
+        march.failure = Some(Failure { reason, time: march.time, step: march.steps });
     }
-
-    /// Finds the neighbours or the stencil and steps to the end: what a run costs.
-    pub(super) fn advance(
-        &self,
-        observe: &mut impl FnMut(f64) -> ControlFlow<()>,
-    ) -> (Box<dyn Stepper>, March) {
-        let mut stepper: Box<dyn Stepper> = match self.plan.layout {
-            Layout::Lattice => Box::new(LatticePath::new(self.method, self.plan.particles)),
-            Layout::Uniform | Layout::Disordered { .. } => {
-                Box::new(ParticlePath::new(self.method, &self.ring))
-            }
-        };
-        stepper.set_state(&self.initial);
-        let end = self.plan.scene.end_time;
-        let step = end / self.total as f64;
-        let mut evolution = EqualSteps { stepper, step, taken: 0 };
-        let limits = Limits { steps: usize::MAX };
-        let mut march = march(&mut evolution, end, limits, |_, time| observe(time));
-        // The last look was up to so many steps ago.
-        if let (None, Err(reason)) = (march.failure, evolution.check()) {
-            march.failure = Some(Failure { reason, time: march.time, step: march.steps });
-        }
-        (evolution.stepper, march)
-    }
-
-    /// Sets the end of a run beside the exact solution.
-    pub(super) fn result(self, stepper: &dyn Stepper, march: &March) -> AdvectionRun {
-        let Self { plan, method, ring, mut initial, .. } = self;
-        let time = march.time;
-        let mut computed = stepper.state().to_vec();
-        let mut positions: Vec<f64> =
-            ring.positions().iter().map(|&part| plan.scene.place(part)).collect();
-        let mut exact: Vec<f64> = positions.iter().map(|&x| plan.scene.exact(x, time)).collect();
-        let comparison = Comparison::new(&initial, &computed, &exact, ring.volumes());
-        let mean = initial.iter().zip(ring.volumes()).map(|(u, v)| u * v).sum::<f64>();
-        let conservation =
-            Conservation { mass: comparison.mean_drift / mean, ..Conservation::default() };
-        let counters = Counters {
-            interactions: march.steps as u64 * stepper.interactions_per_step(),
-            ..Counters::default()
-        };
-        let penetration = Penetration::default();
-        let mut run = Run::after(march, (), conservation, Promise::RoundOff, counters, penetration);
-        // A mean need not be kept: Lax–Wendroff SPH drifts by construction where its weights do not add up to 0.
-        run.warnings.clear();
-        if plan.scene.velocity < 0.0 {
-            // The way around is from right to left.
-            for column in [&mut positions, &mut initial, &mut computed, &mut exact] {
-                column.reverse();
-            }
-        }
-        AdvectionRun {
-            run,
-            positions,
-            initial,
-            computed,
-            exact,
-            courant_number: method.courant_number,
-            comparison,
+    let stepper = evolution.stepper;
+    let mut computed = stepper.state().to_vec();
+    let mut exact: Vec<f64> = positions.iter().map(|&x| scene.exact(x, march.time)).collect();
+    let comparison = Comparison::new(&initial, &computed, &exact, ring.volumes());
+    let mean = initial.iter().zip(ring.volumes()).map(|(u, v)| u * v).sum::<f64>();
+    let conservation =
+        Conservation { mass: comparison.mean_drift / mean, ..Conservation::default() };
+    let interactions = march.steps as u64 * stepper.interactions_per_step();
+    let counters = Counters { interactions, ..Counters::default() };
+    let penetration = Penetration::default();
+    let mut run = Run::after(&march, (), conservation, Promise::RoundOff, counters, penetration);
+    // A mean need not be kept: Lax–Wendroff SPH drifts by construction where its weights do not add up to 0.
+    run.warnings.clear();
+    if scene.velocity < 0.0 {
+        // The way around is from right to left.
+        for column in [&mut positions, &mut initial, &mut computed, &mut exact] {
+            column.reverse();
         }
     }
+    Ok(AdvectionRun { run, positions, initial, computed, exact, courant_number, comparison })
 }
 
 /// A stepper with the step in its weights.

@@ -23,30 +23,20 @@ impl<T> Columns<T> {
             energy: function(self.energy),
         }
     }
-}
 
-impl Columns<f64> {
-    /// Each over its scale.
-    pub(super) fn over(self, scale: &Self) -> Self {
-        Self {
-            density: self.density / scale.density,
-            velocity: self.velocity / scale.velocity,
-            pressure: self.pressure / scale.pressure,
-            energy: self.energy / scale.energy,
+    /// Column by column with another.
+    pub(super) fn zip<U>(self, other: Columns<U>) -> Columns<(T, U)> {
+        Columns {
+            density: (self.density, other.density),
+            velocity: (self.velocity, other.velocity),
+            pressure: (self.pressure, other.pressure),
+            energy: (self.energy, other.energy),
         }
     }
-}
 
-/// A measure of each column from the values found and something exact.
-pub(super) fn per_column<T>(
-    found: &Columns<Vec<f64>>,
-    exact: &Columns<T>,
-    measure: impl Fn(&[f64], &T) -> f64,
-) -> Columns<f64> {
-    Columns {
-        density: measure(&found.density, &exact.density),
-        velocity: measure(&found.velocity, &exact.velocity),
-        pressure: measure(&found.pressure, &exact.pressure),
-        energy: measure(&found.energy, &exact.energy),
+    /// Each by reference.
+    pub(super) fn each(&self) -> Columns<&T> {
+        let Self { density, velocity, pressure, energy } = self;
+        Columns { density, velocity, pressure, energy }
     }
 }

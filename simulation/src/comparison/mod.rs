@@ -8,7 +8,6 @@ pub use waves::{WaveKind, WavePosition};
 
 use crate::run::{Profile, Run};
 use crate::scene::Scene;
-use columns::per_column;
 
 /// The measures of a run at the time it reached, taken over the particles inside the window.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,13 +92,11 @@ impl Comparison {
             inside: indices.len(),
             outside: profile.len() - indices.len(),
             order_preserved: profile.order_preserved(),
-            l1: per_column(&found, &exact, |found, exact| mean_error(found, exact)),
-            overshoot: per_column(&found, &extent, |found, &extent| beyond(found, extent))
-                .over(&scale),
-            excess_variation: per_column(&found, &exact, |found, exact| {
-                variation(found) - variation(exact)
-            })
-            .over(&scale),
+            l1: found.each().zip(exact.each()).map(|(found, exact)| mean_error(found, exact)),
+            overshoot: (found.each().zip(extent).zip(scale))
+                .map(|((found, extent), scale)| beyond(found, extent) / scale),
+            excess_variation: (found.each().zip(exact.each()).zip(scale))
+                .map(|((found, exact), scale)| (variation(found) - variation(exact)) / scale),
             spacing_mismatch: spacing_mismatch(&run.profile, window),
             waves,
             contact_width: waves::contact_width(scene, run.time, &x, &found.density),

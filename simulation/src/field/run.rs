@@ -4,12 +4,12 @@ use super::measures::{Measure, Meter};
 use super::scene::{FieldFlow, FieldScene};
 use super::shear_viscosity::shear_response;
 use crate::boundary::Boundary;
-use crate::march::{Limits, march};
+use crate::march::Limits;
 use crate::particles::{
     Domain, Gas, MethodOptions, PairForce, PairLoops, ParticleEvolution, ParticleSystem, Particles,
     Smoothing, SmoothingKernel, Task, ThermalState, dispatch, table,
 };
-use crate::run::{Conservation, Flowing, InvalidOptions, Penetration, Run};
+use crate::run::{InvalidOptions, Run};
 use crate::scene::Material;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -151,30 +151,20 @@ impl<const D: usize> Task<D> for Plan<'_, D> {
         let mut history = vec![Sample { time: 0.0, measures: meter.measure(&system, 0.0) }];
         let table = table(options.integrator)?;
         let mut evolution = ParticleEvolution::stepped(system, force, options, &table);
-        let start = evolution.totals();
         let limits = Limits { steps: options.max_steps };
         limits.check(&mut evolution, scene.end_time)?;
-        let march = march(&mut evolution, scene.end_time, limits, |state, time| {
+        let observe = |state: &ParticleEvolution<D, G>, time: f64| {
             let due = history.len() as f64 * scene.end_time / f64::from(SAMPLES);
             if time >= due * (1.0 - 1e-9) {
-                let measures = meter.measure(state.system(), time);
-                history.push(Sample { time, measures });
+                history.push(Sample { time, measures: meter.measure(state.system(), time) });
             }
             observe(time)
-        });
-        let profile = profile(evolution.system());
-        let errors = errors::<D>(scene, &profile, march.time);
-        let conservation = Conservation::between(&start, &evolution.totals());
-        let (promise, counters) = (evolution.promise(), evolution.counters());
-        let run =
-            Run::after(&march, profile, conservation, promise, counters, Penetration::default());
-        Ok(FieldRun {
-            initial,
-            run: run.with_substeps(evolution.substeps()),
-            errors,
-            measures: meter.measure(evolution.system(), march.time),
-            history,
-        })
+        };
+        let end = |state: &ParticleEvolution<D, G>| profile(state.system());
+        let run = Run::of(&mut evolution, scene.end_time, limits, observe, end);
+        let errors = errors::<D>(scene, &run.profile, run.time);
+        let measures = meter.measure(evolution.system(), run.time);
+        Ok(FieldRun { initial, run, errors, history, measures })
     }
 }
 

@@ -10,10 +10,8 @@ use courant_analysis::kernel::Kernel;
 /// use courant_analysis::kernel::Kernel;
 /// use courant_simulation::lagrangian::Lattice;
 /// let lattice = Lattice::new(Kernel::CubicSpline, 2.0)?;
-/// // The paper's choice reaches three neighbours (the fourth is on the edge of the support) …
+/// // The paper's choice reaches three neighbours: the fourth is on the edge of the support.
 /// assert_eq!(lattice.offsets(), &[(1, 5.0 / 32.0), (2, 1.0 / 8.0), (3, 1.0 / 32.0)]);
-/// // … and differentiates a straight line exactly.
-/// assert_eq!(lattice.consistency(), 1.0);
 /// # Ok::<(), courant_simulation::lagrangian::InvalidLattice>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -69,11 +67,5 @@ impl Lattice {
     /// The largest offset.
     pub fn reach(&self) -> usize {
         self.offsets.last().map_or(0, |&(k, _)| k)
-    }
-
-    /// `2 Σ k w_k`: the factor by which the lattice multiplies the derivative of a straight line.
-    /// Where it is not 1, waves run at a wrong speed however many particles there are.
-    pub fn consistency(&self) -> f64 {
-        2.0 * self.offsets.iter().map(|&(k, weight)| k as f64 * weight).sum::<f64>()
     }
 }

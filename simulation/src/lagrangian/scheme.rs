@@ -111,13 +111,8 @@ pub struct LagrangianScheme {
 impl LagrangianScheme {
     /// The initial state of a scene, with `particles` particles of equal mass in its domain.
     ///
-    /// Particle `i` holds the mass between `iΔξ` and `(i + 1)Δξ` from the left end, `Δξ = M/N`. Its
-    /// state is the mean of the conserved quantities there and its position the point that
-    /// halves its mass. Where the jump of a tube falls inside a particle (in test 1 of the paper
-    /// with N = 100: particle 77, of which 42 % is gas of the left side), that particle gets the
-    /// mean, so that the totals and the place of the jump are exact, at the price of one
-    /// intermediate state. Beyond an end through which gas flows in there are as many more
-    /// particles as will enter until the end time.
+    /// Each holds the mean of the conserved quantities of its share of the mass, so that the totals and the place of a jump are exact;
+    /// beyond an end through which gas flows in there are as many more as will enter until the end time.
     ///
     /// # Errors
     /// [`InvalidOptions`], when `options` has a ratio or Courant number that does not make

@@ -27,7 +27,7 @@ struct Grid<const D: usize> {
 ///
 /// A wide particle sees many narrow ones, and a narrow one must see the wide ones that reach it: with a grid
 /// for each octave both look through cells of a size that suits. All buffers are kept from one build to the next.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Cells<const D: usize> {
     /// From left to right, by where they show the centre of the domain.
     pub images: Vec<Image<D>>,
@@ -44,23 +44,6 @@ pub(super) struct Cells<const D: usize> {
     built: Vec<Vector<D>>,
     wrapped: Vec<Vector<D>>,
     cell: Vec<u32>,
-}
-
-impl<const D: usize> Default for Cells<D> {
-    fn default() -> Self {
-        Self {
-            images: Vec::new(),
-            identity: 0,
-            order: Vec::new(),
-            position: Vec::new(),
-            square: Vec::new(),
-            grids: Vec::new(),
-            starts: Vec::new(),
-            built: Vec::new(),
-            wrapped: Vec::new(),
-            cell: Vec::new(),
-        }
-    }
 }
 
 impl<const D: usize> Grid<D> {

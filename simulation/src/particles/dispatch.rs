@@ -63,9 +63,7 @@ fn with_solver<const D: usize, S: StarSolver>(
         ParticleMethod::Gph1 => Box::new(Godunov { weight: SumOfSquares, solver, work }),
         ParticleMethod::Gph2 => Box::new(Godunov { weight: Product, solver, work }),
         ParticleMethod::Gph3 => Box::new(Godunov { weight: OwnKernels, solver, work }),
-        ParticleMethod::Gph4 => {
-            Box::new(Godunov { weight: Convolution(options.volume), solver, work })
-        }
+        ParticleMethod::Gph4 => Box::new(Godunov { weight: Convolution, solver, work }),
         ParticleMethod::Sph1 | ParticleMethod::Adke => smoothed(PressureForm::Sum),
         ParticleMethod::Sph2 => smoothed(PressureForm::Geometric),
     }

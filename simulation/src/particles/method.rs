@@ -3,7 +3,6 @@
 use super::density::Smoothing;
 use super::godunov::PairWork;
 use super::integrator::{Integrator, Work, table};
-use super::pair_weight::VolumeInterpolation;
 use super::viscous::Viscosity;
 use crate::run::{InvalidOptions, not_negative, positive};
 use crate::scene::MIN_PARTICLES;
@@ -33,48 +32,39 @@ impl ParticleMethod {
     pub const ALL: [Self; 6] =
         [Self::Gph1, Self::Gph2, Self::Gph3, Self::Gph4, Self::Sph1, Self::Sph2];
 
+    /// Name, title and source of each, in their order.
+    const WORDS: [[&'static str; 3]; 7] = [
+        ["gph1", "GPH case 1", "Cha & Whitworth 2003 (9), (10)"],
+        ["gph2", "GPH case 2", "Cha & Whitworth 2003 (11), (12)"],
+        ["gph3", "GPH case 3", "Cha & Whitworth 2003 (13), (14)"],
+        ["gph4", "GPH case 4", "Cha & Whitworth 2003 (15), (16); Inutsuka 2002"],
+        ["sph1", "SPH 1", "Cha & Whitworth 2003 (4), (5), (8)"],
+        ["sph2", "SPH 2", "Cha & Whitworth 2003 (6), (7), (8)"],
+        [
+            "sph-adke",
+            "Standard SPH with adaptive kernel estimation",
+            "Sigalotti et al. 2006; Ferrari et al. 2008, section 3.3",
+        ],
+    ];
+
     /// The name used on the command line and in files.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Gph1 => "gph1",
-            Self::Gph2 => "gph2",
-            Self::Gph3 => "gph3",
-            Self::Gph4 => "gph4",
-            Self::Sph1 => "sph1",
-            Self::Sph2 => "sph2",
-            Self::Adke => "sph-adke",
-        }
+        Self::WORDS[self as usize][0]
     }
 
     /// The name that people use.
     pub fn title(self) -> &'static str {
-        match self {
-            Self::Gph1 => "GPH case 1",
-            Self::Gph2 => "GPH case 2",
-            Self::Gph3 => "GPH case 3",
-            Self::Gph4 => "GPH case 4",
-            Self::Sph1 => "SPH 1",
-            Self::Sph2 => "SPH 2",
-            Self::Adke => "Standard SPH with adaptive kernel estimation",
-        }
+        Self::WORDS[self as usize][1]
+    }
+
+    /// Where the method comes from.
+    pub fn source(self) -> &'static str {
+        Self::WORDS[self as usize][2]
     }
 
     /// The method of that name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().chain([Self::Adke]).find(|method| method.name() == name)
-    }
-
-    /// Where the method comes from.
-    pub fn source(self) -> &'static str {
-        match self {
-            Self::Gph1 => "Cha & Whitworth 2003 (9), (10)",
-            Self::Gph2 => "Cha & Whitworth 2003 (11), (12)",
-            Self::Gph3 => "Cha & Whitworth 2003 (13), (14)",
-            Self::Gph4 => "Cha & Whitworth 2003 (15), (16); Inutsuka 2002",
-            Self::Sph1 => "Cha & Whitworth 2003 (4), (5), (8)",
-            Self::Sph2 => "Cha & Whitworth 2003 (6), (7), (8)",
-            Self::Adke => "Sigalotti et al. 2006; Ferrari et al. 2008, section 3.3",
-        }
     }
 
     /// Whether it solves Riemann problems.
@@ -159,8 +149,6 @@ pub struct MethodOptions {
     pub solver: SolverChoice,
     /// The artificial viscosity of SPH.
     pub viscosity: Viscosity,
-    /// The specific volume between particles in case 4.
-    pub volume: VolumeInterpolation,
     /// Global or block steps.
     pub sharing: StepSharing,
     /// Steps after which a run is given up.
@@ -196,7 +184,6 @@ impl MethodOptions {
             },
             solver: SolverChoice::Published,
             viscosity: Viscosity::STANDARD,
-            volume: VolumeInterpolation::Cubic,
             sharing: StepSharing::Global,
             max_steps: 1_000_000,
         }

@@ -42,9 +42,7 @@ pub use method::{KernelEstimation, MethodOptions, ParticleMethod, SolverChoice, 
 pub use neighbours::{Neighbours, Pair};
 pub use pair_force::{Exchange, PairEnd, PairForce};
 pub use pair_loops::PairLoops;
-pub use pair_weight::{
-    Convolution, OwnKernels, PairWeight, Product, SumOfSquares, VolumeInterpolation,
-};
+pub use pair_weight::{Convolution, OwnKernels, PairWeight, Product, SumOfSquares};
 pub use rates::Rates;
 pub use ring::{Amplification, Ring};
 pub(crate) use run::start;

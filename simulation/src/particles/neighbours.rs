@@ -100,7 +100,7 @@ impl Block {
 ///
 /// **In which order.** That of the cells: space, not numbers. On a line it is from left to right; there the sums of those
 /// before, from near to far, and of those after, from near to far, cancel exactly on an exactly representable lattice.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Neighbours<const D: usize> {
     pub(super) cells: Cells<D>,
     /// Places of the active particles in the spatial order, ascending.
@@ -117,21 +117,6 @@ pub struct Neighbours<const D: usize> {
 }
 
 const PASSIVE: u32 = u32::MAX;
-
-impl<const D: usize> Default for Neighbours<D> {
-    fn default() -> Self {
-        Self {
-            cells: Cells::default(),
-            active: Vec::new(),
-            rank: Vec::new(),
-            blocks: Vec::new(),
-            next: Vec::new(),
-            radii: Vec::new(),
-            complete: false,
-            searches: 0,
-        }
-    }
-}
 
 impl<const D: usize> Neighbours<D> {
     /// Finds everybody's neighbours within `radii` (units length).
@@ -207,20 +192,42 @@ impl<const D: usize> Neighbours<D> {
         (rank / BLOCK, pair - self.blocks[rank / BLOCK].first_pair)
     }
 
+    /// Which image of a neighbour is seen.
+    #[inline]
+    fn image_index(&self, neighbour: Neighbour) -> usize {
+        match neighbour.link() {
+            Link::Image(image) => image,
+            Link::Known(_) | Link::Own => self.cells.identity,
+        }
+    }
+
     /// The image of a neighbour that is seen.
     #[inline]
     pub(super) fn image(&self, neighbour: Neighbour) -> &Image<D> {
-        let index = match neighbour.link() {
-            Link::Image(image) => image,
-            Link::Known(_) | Link::Own => self.cells.identity,
-        };
-        &self.cells.images[index]
+        &self.cells.images[self.image_index(neighbour)]
+    }
+
+    /// What the particle at a place sees of a neighbour: which image, its number, displacement and distance.
+    #[inline]
+    pub(super) fn see(&self, at: usize, neighbour: Neighbour) -> (usize, usize, Vector<D>, f64) {
+        let (image, other) = (self.image_index(neighbour), neighbour.other as usize);
+        let position = &self.cells.position;
+        let displacement = self.cells.images[image].displacement(&position[at], &position[other]);
+        let distance = dot(&displacement, &displacement).sqrt();
+        (image, self.cells.order[other] as usize, displacement, distance)
     }
 
     /// The number of the `k`-th particle of a block.
     #[inline]
     pub(super) fn number(&self, block: &Block, k: usize) -> usize {
         self.cells.order[self.active[block.start + k] as usize] as usize
+    }
+
+    /// Values of the active particles, in their order, to all by number.
+    pub(super) fn hand_out<T: Copy>(&self, values: &[T], by_number: &mut [T]) {
+        for (&at, &value) in self.active.iter().zip(values) {
+            by_number[self.cells.order[at as usize] as usize] = value;
+        }
     }
 
     /// All pairs of active particles, each once; a particle and its own image are one for each image.
@@ -232,17 +239,11 @@ impl<const D: usize> Neighbours<D> {
 
     fn pairs_of<'a>(&'a self, block: &'a Block, k: usize) -> impl Iterator<Item = Pair> + 'a {
         let at = self.active[block.start + k] as usize;
-        let here = self.cells.order[at];
-        block.all(k).filter_map(move |neighbour| {
-            let there = self.cells.order[neighbour.other as usize];
-            let image = match neighbour.link() {
-                Link::Image(image) => image,
-                Link::Known(_) | Link::Own => self.cells.identity,
-            };
-            let (x, y) = (&self.cells.position[at], &self.cells.position[neighbour.other as usize]);
-            let displacement = self.cells.images[image].displacement(x, y);
-            let distance = dot(&displacement, &displacement).sqrt();
-            (here <= there).then_some(Pair { first: here, second: there, image, distance })
+        let first = self.cells.order[at];
+        block.all(k).filter_map(move |&neighbour| {
+            let (image, number, _, distance) = self.see(at, neighbour);
+            let second = number as u32;
+            (first <= second).then_some(Pair { first, second, image, distance })
         })
     }
 
@@ -328,6 +329,25 @@ impl<const D: usize> Neighbours<D> {
             }
             self.blocks[index].before = before;
         }
+    }
+}
+
+impl Neighbours<1> {
+    /// What each particle of a line sees from left to right: numbers and displacements of those before it, and of those after it.
+    pub(crate) fn rows(
+        &self,
+    ) -> impl Iterator<
+        Item = (impl ExactSizeIterator<Item = (u32, f64)>, impl Iterator<Item = (u32, f64)>),
+    > {
+        let all = self.blocks.iter().flat_map(|block| (0..block.len).map(move |k| (block, k)));
+        all.map(move |(block, k)| {
+            let at = self.active[block.start + k] as usize;
+            let seen = move |&neighbour: &Neighbour| {
+                let (_, number, displacement, _) = self.see(at, neighbour);
+                (number as u32, displacement[0])
+            };
+            (block.before(k).iter().map(seen), block.after(k).iter().map(seen))
+        })
     }
 }
 

@@ -45,26 +45,17 @@ pub struct Product;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct OwnKernels;
 
-/// How the specific volume `V = 1/ρ` runs between the particles of a pair.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum VolumeInterpolation {
-    /// A straight line.
-    Linear,
-    /// The cubic with the values and slopes of both ends; a straight line where the slopes differ in
-    /// sign, since the cubic would then make an extremum that the particles do not have.
-    Cubic,
-}
-
 /// `∫ ρ⁻²(s) (∂_i − ∂_j) W(s − r_i, h) W(s − r_j, h) ds`: Cha & Whitworth 2003 (15), (16).
 ///
 /// For the Gaussian `W ∝ exp(−r²/h²)` the product of two kernels is a Gaussian in the distance, of
 /// smoothing length `√2 h`, times one about the midpoint with variance `h²/4`, so
 /// `A = V²(h_i) ∇W(r, √2 h_i) + V²(h_j) ∇W(r, √2 h_j)` with the mean of `V²` over the latter
-/// (Inutsuka 2002). With `V(s) = D + C s + B s² + A s³`:
+/// (Inutsuka 2002). `V(s) = D + C s + B s² + A s³` has the values and slopes of both ends; where the slopes differ in sign it is a
+/// straight line, since the cubic would make an extremum that the particles do not have. Then
 /// `V²(h) = D² + (h²/4)(C² + 2BD) + (3h⁴/16)(B² + 2AC) + (15h⁶/64) A²`.
 /// It holds for the Gaussian only; the kernel here is cut like any Gaussian of length `√2 h`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Convolution(pub VolumeInterpolation);
+pub struct Convolution;
 
 impl PairWeight for SumOfSquares {
     const WORK: PairWork = PairWork::Mean;
@@ -103,7 +94,7 @@ impl Convolution {
         let middle = 0.5 * (left + right);
         let h2 = h * h;
         let (vl, vr) = (l.volume_slope, r.volume_slope);
-        if self.0 == VolumeInterpolation::Linear || vl * vr < 0.0 {
+        if vl * vr < 0.0 {
             return middle * middle + 0.25 * h2 * rise * rise;
         }
         let a = (vl + vr - 2.0 * rise) / (distance * distance);
@@ -125,7 +116,7 @@ impl PairWeight for Convolution {
     }
 
     fn needs_volume_slope(&self) -> bool {
-        self.0 == VolumeInterpolation::Cubic
+        true
     }
 
     #[inline]

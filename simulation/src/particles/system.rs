@@ -3,7 +3,7 @@
 use super::density::{DensitySum, Positions, Smoothing};
 use super::domain::Domain;
 use super::gas::Gas;
-use super::neighbours::{BLOCK, Neighbour, Neighbours};
+use super::neighbours::{BLOCK, Neighbours};
 use super::pair_force::PairForce;
 use super::pair_loops::End;
 use super::parallel::{fill, first};
@@ -260,49 +260,41 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
     /// `∇(1/ρ) = −Σ m_j ∇W(r, h_i)/ρ_i²` of the active particles.
     fn update_volume_gradients(&mut self) {
         let (kernel, state, neighbours) = (&self.sum.kernel, &self.particles, &self.neighbours);
-        for block in &neighbours.blocks {
-            for k in 0..block.len {
-                let at = neighbours.active[block.start + k] as usize;
-                let i = neighbours.number(block, k);
-                let term = |neighbour: Neighbour| {
-                    let (image, other) = (neighbours.image(neighbour), neighbour.other as usize);
-                    let position = &neighbours.cells.position;
-                    let displacement = image.displacement(&position[at], &position[other]);
-                    let distance = dot(&displacement, &displacement).sqrt();
-                    // ∇_i W points against the neighbour by W', and the volume falls as ρ grows.
-                    let slope = kernel.slope(distance, state.smoothing[i]);
-                    let mass = state.mass[neighbours.cells.order[other] as usize];
-                    let weight = if distance > 0.0 { mass * slope / distance } else { 0.0 };
-                    displacement.map(|component| weight * component)
-                };
-                let sum = |sum: Vector<D>, &neighbour| plus_scaled(&sum, 1.0, &term(neighbour));
-                let before = block.before(k).iter().rev().fold([0.0; D], sum);
-                let after = block.after(k).iter().fold([0.0; D], sum);
-                let square = self.density[i] * self.density[i];
-                self.volume_gradient[i] =
-                    std::array::from_fn(|axis| (before[axis] + after[axis]) / square);
-            }
-        }
+        let (density, mut gradients) = (&self.density, Vec::new());
+        fill(&mut gradients, neighbours.active.len(), |rank| {
+            let at = neighbours.active[rank] as usize;
+            let (i, k) = (neighbours.cells.order[at] as usize, rank % BLOCK);
+            let add = |sum: Vector<D>, &neighbour| {
+                let (_, j, displacement, distance) = neighbours.see(at, neighbour);
+                // ∇_i W points against the neighbour by W', and the volume falls as ρ grows.
+                let slope = kernel.slope(distance, state.smoothing[i]);
+                let mass = state.mass[j];
+                let weight = if distance > 0.0 { mass * slope / distance } else { 0.0 };
+                plus_scaled(&sum, weight, &displacement)
+            };
+            let block = &neighbours.blocks[rank / BLOCK];
+            let before = block.before(k).iter().rev().fold([0.0; D], add);
+            let after = block.after(k).iter().fold([0.0; D], add);
+            let square = density[i] * density[i];
+            std::array::from_fn(|axis| (before[axis] + after[axis]) / square)
+        });
+        neighbours.hand_out(&gradients, &mut self.volume_gradient);
     }
 
     /// Balsara's factor of the active particles, from `∂_b v_a = Σ m_j (v_j − v_i)_a ∂_b W(r, h_i)/ρ_i`.
     fn update_compression(&mut self) {
         let (kernel, state, neighbours) = (&self.sum.kernel, &self.particles, &self.neighbours);
-        let cells = &neighbours.cells;
         let mut factors = Vec::new();
         fill(&mut factors, neighbours.active.len(), |rank| {
             let at = neighbours.active[rank] as usize;
-            let i = cells.order[at] as usize;
+            let i = neighbours.cells.order[at] as usize;
             let h = state.smoothing[i];
             let mut gradient = [[0.0; D]; D];
             for &neighbour in neighbours.blocks[rank / BLOCK].all(rank % BLOCK) {
-                let (image, other) = (neighbours.image(neighbour), neighbour.other as usize);
-                let j = cells.order[other] as usize;
-                let displacement = image.displacement(&cells.position[at], &cells.position[other]);
-                let distance = dot(&displacement, &displacement).sqrt();
+                let (image, j, displacement, distance) = neighbours.see(at, neighbour);
                 if distance > 0.0 {
                     let weight = -state.mass[j] * kernel.slope(distance, h) / distance;
-                    let velocity = image.reflect(&state.velocity[j]);
+                    let velocity = neighbours.images()[image].reflect(&state.velocity[j]);
                     for (row, (there, here)) in
                         gradient.iter_mut().zip(velocity.iter().zip(&state.velocity[i]))
                     {
@@ -316,8 +308,6 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
             let least = 1e-4 * self.sound_speed[i] / h * self.density[i];
             divergence / (divergence + curl.sqrt() + least)
         });
-        for (&at, factor) in neighbours.active.iter().zip(factors) {
-            self.compression[cells.order[at as usize] as usize] = factor;
-        }
+        neighbours.hand_out(&factors, &mut self.compression);
     }
 }

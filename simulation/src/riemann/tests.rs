@@ -143,35 +143,6 @@ fn a_tiny_jump_keeps_its_own_digits() {
 }
 
 #[test]
-fn toros_printed_star_states() {
-    // Toro 1999, chapter 4: p*, u*, ρ*_L, ρ*_R of his five tests, as printed.
-    for (l, r, printed) in [
-        ([1.0, 0.0, 1.0], [0.125, 0.0, 0.1], [0.30313, 0.92745, 0.42632, 0.26557]),
-        ([1.0, -2.0, 0.4], [1.0, 2.0, 0.4], [0.00189, 0.0, 0.02185, 0.02185]),
-        ([1.0, 0.0, 1e3], [1.0, 0.0, 0.01], [460.894, 19.5975, 0.57506, 5.99924]),
-        ([1.0, 0.0, 0.01], [1.0, 0.0, 100.0], [46.0950, -6.19633, 5.99242, 0.57511]),
-        (
-            [5.99924, 19.5975, 460.894],
-            [5.99242, -6.19633, 46.0950],
-            [1691.64, 8.68975, 14.2823, 31.0426],
-        ),
-    ] {
-        let solution = solve(gas(1.4), &state(l), &state(r));
-        let (left, right) = solution.densities();
-        for (value, wanted) in
-            [solution.pressure(), solution.velocity(), left, right].into_iter().zip(printed)
-        {
-            // Half a unit of the last printed place, which is the sixth digit, or the fifth decimal;
-            // his test 5 was solved from rounded data and is off by 7e-3 in p* and 2.4e-5 in u*.
-            assert!(
-                (value - wanted).abs() <= 5.1e-6f64.max(4.2e-6 * wanted.abs()),
-                "{value} {wanted}"
-            );
-        }
-    }
-}
-
-#[test]
 fn equal_states_are_returned_untouched() {
     let here = state([0.3, -7.25, 1.9]);
     let solution = solve(gas(5.0 / 3.0), &here, &here);

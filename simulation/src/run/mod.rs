@@ -179,33 +179,26 @@ impl<P> Run<P> {
         self.steps = substeps.map_or(self.steps, |steps| steps as usize);
         self
     }
-}
 
-impl Run {
-    /// Marches to `end_time`; after every step `observe(time)` may end it.
-    pub(crate) fn of<E: Lined + ?Sized>(
+    /// Marches to `end_time`; after every step `observe(state, time)` may end it. `profile` is taken of the end.
+    pub(crate) fn of<E: Flowing + ?Sized>(
         evolution: &mut E,
-        waiting: [usize; 2],
         end_time: f64,
         limits: Limits,
-        observe: &mut (dyn FnMut(f64) -> ControlFlow<()> + Send),
+        mut observe: impl FnMut(&E, f64) -> ControlFlow<()>,
+        profile: impl FnOnce(&E) -> P,
     ) -> Self {
         let start = evolution.totals();
         let mut penetration = Penetration::default();
         let march = march(evolution, end_time, limits, |state, time| {
             penetration.at_end = state.out_of_order();
             penetration.largest = penetration.largest.max(penetration.at_end);
-            observe(time)
+            observe(state, time)
         });
         let conservation = Conservation::between(&start, &evolution.totals());
-        let run = Self::after(
-            &march,
-            evolution.profile(),
-            conservation,
-            evolution.promise(),
-            evolution.counters(),
-            penetration,
-        );
-        Self { waiting, ..run.with_substeps(evolution.substeps()) }
+        let (profile, promise) = (profile(evolution), evolution.promise());
+        let counters = evolution.counters();
+        Self::after(&march, profile, conservation, promise, counters, penetration)
+            .with_substeps(evolution.substeps())
     }
 }

@@ -74,24 +74,18 @@ impl Scene {
                 None => self.acoustics(x, time),
             },
             (Flow::Layers(_), Material::Isothermal(_)) => {
-                self.isothermal(Expansion::Exact, x, time).or_else(|| self.acoustics(x, time))
+                self.isothermal(x, time).or_else(|| self.acoustics(x, time))
             }
         }
     }
 
-    /// The solution of an isothermal Riemann problem with both waves taken for shocks: what the solver of
-    /// Cha & Whitworth 2003 (24)–(27) believes.
-    pub fn two_shock(&self, x: f64, time: f64) -> Option<State> {
-        self.isothermal(Expansion::AsShock, x, time)
-    }
-
-    fn isothermal(&self, expansion: Expansion, x: f64, time: f64) -> Option<State> {
+    fn isothermal(&self, x: f64, time: f64) -> Option<State> {
         let Material::Isothermal(gas) = self.material else { return None };
         let (left, right, origin) = self.two_states()?;
         if left.is_vacuum() || right.is_vacuum() {
             return None;
         }
-        let solver = Isothermal { sound_speed: gas.sound_speed, expansion };
+        let solver = Isothermal { sound_speed: gas.sound_speed, expansion: Expansion::Exact };
         Some(solver.sample(&left, &right, (x - origin) / time))
     }
 

@@ -82,76 +82,7 @@ pub struct Scene {
 /// Fewer particles than this cannot hold three waves.
 pub const MIN_PARTICLES: usize = 10;
 
-/// Why numbers are not a scene: the key of the file, and what is wrong with its value.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{key}: {problem}")]
-pub struct InvalidScene {
-    /// The key: `gamma`, `domain`, `left.density`, …
-    pub key: &'static str,
-    /// What is wrong.
-    pub problem: String,
-}
-
 impl Scene {
-    /// Whether window and initial state make sense in the domain.
-    ///
-    /// # Errors
-    /// [`InvalidScene`] names the first that does not.
-    fn check(&self) -> Result<(), InvalidScene> {
-        let wrong = |key, problem: String| Err(InvalidScene { key, problem });
-        let ascending = |[from, to]: [f64; 2]| from.is_finite() && to.is_finite() && from < to;
-        if !ascending(self.window) {
-            let [from, to] = self.window;
-            return wrong(
-                "window",
-                format!("[{from}, {to}]: two ascending finite numbers are needed"),
-            );
-        }
-        let [from, to] = self.domain;
-        match &self.flow {
-            Flow::SimpleWave { amplitude } => {
-                if !(*amplitude > 0.0 && *amplitude < 1.0) {
-                    let problem = format!("{amplitude}: a number above 0 and below 1 is needed");
-                    return wrong("amplitude", problem);
-                }
-                if self.domain != [0.0, 1.0]
-                    || self.boundary != [Boundary::Periodic; 2]
-                    || self.material.ideal().is_none()
-                {
-                    let problem = "a simple wave is that of an ideal gas on the periodic [0, 1]";
-                    return wrong("simple_wave", problem.into());
-                }
-            }
-            Flow::Layers(layers) => {
-                let mut edge = from;
-                for layer in layers {
-                    if layer.to.is_nan() || layer.to <= edge {
-                        let problem = format!("{}: a number above {edge} is needed", layer.to);
-                        return wrong("to", problem);
-                    }
-                    edge = layer.to;
-                }
-                if edge != to {
-                    return wrong(
-                        "to",
-                        format!("{edge}: the last layer ends with the domain, at {to}"),
-                    );
-                }
-                if layers.iter().all(Layer::is_vacuum) {
-                    return wrong("density", "0 everywhere: there is no gas".into());
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// The customary interval compared: the domain, or where it is periodic a period more on each side, for
-    /// particles that drift over the ends.
-    fn usual_window([from, to]: [f64; 2], boundary: [Boundary; 2]) -> [f64; 2] {
-        let more = if boundary[0] == Boundary::Periodic { to - from } else { 0.0 };
-        [from - more, to + more]
-    }
-
     fn layers(&self) -> &[Layer] {
         match &self.flow {
             Flow::Layers(layers) => layers,

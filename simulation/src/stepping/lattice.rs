@@ -148,33 +148,6 @@ mod tests {
     }
 
     #[test]
-    fn every_wave_of_a_torus_comes_once_with_its_conjugate() {
-        let modes = |points: &[usize]| Lattice::new(points).unwrap().modes();
-        let line: Vec<Vec<i64>> = modes(&[6]).into_iter().map(|mode| mode.0).collect();
-        assert_eq!(line, [[0], [1], [2], [3]]);
-        // All that are their own conjugates once, of the others half: (12 + 4)/2, (30 + 2)/2, (24 + 8)/2.
-        assert_eq!(modes(&[6, 2]).len(), 8);
-        assert_eq!(modes(&[6, 5]).len(), 16);
-        assert_eq!(modes(&[6, 2, 2]).len(), 16);
-        assert!(modes(&[6, 5]).iter().all(|m| m[0].abs() <= 3 && m[1].abs() <= 2));
-    }
-
-    #[test]
-    fn waves_turn_by_their_phases_from_cell_to_cell() {
-        let torus = Lattice::new(&[6, 5, 4]).unwrap();
-        for mode in torus.modes() {
-            let (wave, phase): (Vec<_>, _) = (torus.wave(&mode).collect(), torus.phase(&mode));
-            for (axis, phase) in phase.iter().enumerate() {
-                let mut offset = [0; 3];
-                offset[axis] = 1;
-                let turn = Complex64::from_polar(1.0, *phase);
-                let away = |cell: usize| wave[torus.neighbour(cell, offset)] - turn * wave[cell];
-                assert!((0..120).all(|cell| away(cell).norm() < 1e-14));
-            }
-        }
-    }
-
-    #[test]
     fn one_value_is_written_as_itself() {
         assert_eq!(serde_json::to_string(&PerAxis(vec![3])).unwrap(), "3");
         assert_eq!(serde_json::to_string(&PerAxis(vec![3, -1])).unwrap(), "[3,-1]");

@@ -282,8 +282,6 @@ impl Affine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use courant_analysis::exact::rational::integer;
-    use courant_analysis::kernel::Kernel;
     use courant_analysis::scheme::language::parse;
 
     fn forms(text: &str, parameters: &[(&str, f64)]) -> Result<LinearForms, SteppingError> {
@@ -291,57 +289,11 @@ mod tests {
         LinearForms::new(&parse(text).unwrap(), None, &parameters)
     }
 
-    fn coefficients(form: &BTreeMap<Place, Rounded>) -> Vec<(i32, i32, f64)> {
-        form.iter().map(|(place, value)| (place.level, place.offset[0], value.value)).collect()
-    }
-
-    #[test]
-    fn a_stencil_is_read_from_the_text() {
-        let read = forms("u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])", &[("C", 0.25)]).unwrap();
-        assert_eq!(read.unknowns, ["u"]);
-        assert_eq!(coefficients(&read.equations[0]), [(0, -1, -0.25), (0, 0, -0.75), (1, 0, 1.0)]);
-    }
-
-    #[test]
-    fn half_indices_are_stored_to_their_left() {
-        let text = "v[n+1/2,j+1/2] = v[n-1/2,j+1/2] - C*(p[n,j+1] - p[n,j])\n\
-                    p[n+1,j] = p[n,j] - C*(v[n+1/2,j+1/2] - v[n+1/2,j-1/2])";
-        let read = forms(text, &[("C", 0.5)]).unwrap();
-        let of = |equation: usize, unknown: usize| -> Vec<_> {
-            let places = read.equations[equation].iter().filter(|(p, _)| p.unknown == unknown);
-            places.map(|(p, value)| (p.level, p.offset[0], value.value)).collect()
-        };
-        assert_eq!(of(0, 0), [(-1, 0, -1.0), (0, 0, 1.0)]);
-        assert_eq!(of(0, 1), [(0, 0, -0.5), (0, 1, 0.5)]);
-        assert_eq!(of(1, 0), [(0, -1, -0.5), (0, 0, 0.5)]);
-    }
-
-    #[test]
-    fn every_axis_has_its_offset_and_its_halves() {
-        let text = "u[n+1,i,j+1/2,k] = u[n,i-1,j+1/2,k+2] - u[n,i,j-3/2,k]";
-        let read = forms(text, &[]).unwrap();
-        let offsets: Vec<_> = read.equations[0].keys().map(|place| place.offset).collect();
-        assert_eq!((read.dimension, offsets), (3, vec![[-1, 0, 2], [0, -2, 0], [0, 0, 0]]));
-    }
-
     #[test]
     fn coefficients_that_cancel_are_left_out() {
         let text = "u[n+1,j] = u[n,j] - C*u[n,j] - C*u[n,j] + (3*C - 0.3)*u[n,j+1]";
         let read = forms(text, &[("C", 0.1)]).unwrap();
         assert_eq!(read.equations[0].len(), 2);
-    }
-
-    #[test]
-    fn kernel_sums_are_added_up_cell_by_cell() {
-        let lattice = KernelLattice::new(Kernel::CubicSpline, &integer(2)).unwrap();
-        let tree = parse("u[n+1,j] = u[n,j] - 2*C*sum(k, k*w[k]*(u[n,j] - u[n,j-k]))").unwrap();
-        let read = LinearForms::new(&tree, Some(&lattice), &[("C".into(), 1.0)]).unwrap();
-        let first = to_f64(&lattice.weights.gradient[0]);
-        let third = to_f64(&lattice.weights.gradient[2]);
-        let form = coefficients(&read.equations[0]);
-        assert!(form.contains(&(0, -1, -2.0 * first)), "{form:?}");
-        let far = form.iter().find(|(_, offset, _)| *offset == -3).unwrap();
-        assert!((far.2 + 6.0 * third).abs() < 1e-16);
     }
 
     #[test]

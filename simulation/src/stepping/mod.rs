@@ -3,9 +3,8 @@
 //! A scheme's [syntax tree](courant_analysis::scheme::language::syntax) is compiled into stencils on arrays and stepped on a
 //! periodic lattice, a ring in one dimension and a torus in more. This code knows numbers and arrays; it shares nothing with the analysis but the text that was read and the numbers
 //! of kernels and integrators. What it measures is therefore evidence: [`validate`] excites every wave and compares what a step does
-//! with multipliers that were predicted, and [`bracket_limit`] starts from noise on both sides of a limit.
+//! with multipliers that were predicted.
 
-mod bracket;
 mod dense;
 mod eigenvalues;
 mod lattice;
@@ -20,9 +19,8 @@ mod stages;
 mod torus_scheme;
 mod validation;
 
-pub use bracket::{Bracket, NoisePlan, NoiseRun, bracket_limit, noise_run};
+pub(crate) use eigenvalues::eigenvalues;
 pub use lattice::PerAxis;
-pub use propagator::Propagator;
 pub use runs::Run;
 pub use torus_scheme::{Torus, TorusScheme};
 pub use validation::{Multiplier, Row, Validation, ValidationPlan, validate};

@@ -150,33 +150,6 @@ mod tests {
     }
 
     #[test]
-    fn equations_are_solved_in_the_order_of_their_needs() {
-        // a needs b, b needs the history, c needs a.
-        let equations = vec![
-            vec![term(1, 0), term(2, 1)],
-            vec![term(3, 0), term(1, 0)],
-            vec![term(2, 0), term(0, 0)],
-        ];
-        let program = Program::new(4, vec![3], equations, &names()).unwrap();
-        let order: Vec<_> = program.blocks.iter().map(|block| block.targets.clone()).collect();
-        assert_eq!(order, [[2], [1], [3]]);
-        assert!(program.blocks.iter().all(|block| block.explicit().is_some()));
-    }
-
-    #[test]
-    fn what_needs_each_other_is_solved_together() {
-        let equations = vec![
-            vec![term(1, 0), term(2, 0)],
-            vec![term(1, 0), term(2, 1), term(0, 0)],
-            vec![term(3, 0), term(3, 1), term(2, 0)],
-        ];
-        let program = Program::new(4, vec![3], equations, &names()).unwrap();
-        let order: Vec<_> = program.blocks.iter().map(|block| block.targets.clone()).collect();
-        assert_eq!(order, [vec![1, 2], vec![3]]);
-        assert!(program.blocks.iter().all(|block| block.explicit().is_none()));
-    }
-
-    #[test]
     fn an_array_that_no_equation_gives_is_named() {
         let equations = vec![
             vec![term(1, 0), term(0, 0)],

@@ -19,7 +19,7 @@ pub(super) struct WaveState {
 /// Its entries are measured: each array of the history is set to the wave `e^{iφ·j}`, the others to zero, and the amplitudes are read
 /// after one step. Its eigenvalues are the multipliers.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Propagator {
+pub(super) struct Propagator {
     /// Waves along each axis, negative where they run the other way.
     pub mode: PerAxis<i64>,
     /// `φ_a = 2π mode_a/N_a`.
@@ -35,15 +35,7 @@ pub struct Propagator {
 
 impl Torus<'_> {
     /// The matrix of a wave, given by how many there are along each axis.
-    ///
-    /// # Panics
-    /// When there are not as many as axes.
-    pub fn propagator(&self, mode: &[i64]) -> Propagator {
-        assert_eq!(mode.len(), self.points().len(), "one number of waves for each axis");
-        self.propagator_with(mode, &self.rounding())
-    }
-
-    pub(super) fn propagator_with(&self, mode: &[i64], rounding: &[Vec<Rounding>]) -> Propagator {
+    pub(super) fn propagator(&self, mode: &[i64], rounding: &[Vec<Rounding>]) -> Propagator {
         let history = self.history();
         let mut matrix = vec![vec![Complex64::new(0.0, 0.0); history]; history];
         let mut errors = vec![vec![0.0; history]; history];

@@ -69,11 +69,6 @@ impl TorusScheme {
         self.program.history()
     }
 
-    /// Whether nothing has to be solved for.
-    pub fn is_explicit(&self) -> bool {
-        self.program.blocks.iter().all(|block| block.explicit().is_some())
-    }
-
     /// The scheme on a torus with so many cells along each axis.
     ///
     /// # Errors

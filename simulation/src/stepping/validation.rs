@@ -113,8 +113,7 @@ pub fn validate(
     let torus = scheme.torus(&plan.points)?;
     let rounding = torus.rounding();
     let modes = torus.lattice.modes();
-    let propagators: Vec<_> =
-        modes.iter().map(|mode| torus.propagator_with(mode, &rounding)).collect();
+    let propagators: Vec<_> = modes.iter().map(|mode| torus.propagator(mode, &rounding)).collect();
     let runs = Runs::new(&torus, &propagators, plan.steps);
     let mut rows: Vec<Row> = Vec::new();
     let mut last: Vec<Complex64> = Vec::new();

@@ -21,7 +21,6 @@ pub fn run(arguments: &Arguments, subjects: &[Subject]) -> Result<Outcome, Failu
         particles: arguments.on_line()?.unwrap_or(defaults.particles),
         steps: arguments.steps.unwrap_or(defaults.steps),
         fault: arguments.fault.as_ref().map(|by| Fault { offset: -1, by: to_f64(by) }),
-        ..defaults
     };
     let (cases, subjects): (Vec<_>, Vec<_>) =
         cases(arguments, subjects, settings)?.into_iter().unzip();

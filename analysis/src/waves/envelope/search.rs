@@ -114,9 +114,9 @@ impl<S: Simd> Lanes<'_, S> {
     fn sample(&mut self, t: S::f64s) {
         let simd = self.simd;
         let [mut high, mut low] = self.best;
-        let nodes = self.envelope.values.chunks_exact(self.envelope.powers);
-        for (values, phase) in nodes.zip(&self.envelope.phases) {
-            let value = horner(simd, values, t);
+        let Envelope { powers, values, phases, .. } = self.envelope;
+        for (node, phase) in phases.iter().enumerate() {
+            let value = horner(simd, at(values, node, *powers), t);
             let phase = simd.splat_f64s(*phase);
             high.offer(simd, value, phase);
             low.offer(simd, simd.neg_f64s(value), phase);
@@ -134,9 +134,9 @@ impl<S: Simd> Lanes<'_, S> {
         let negligible = simd.mul_f64s(simd.splat_f64s(NEGLIGIBLE), size);
         let [high, low] = self.best;
         let bounds = [simd.add_f64s(high.value, negligible), simd.add_f64s(low.value, negligible)];
-        let nodes = values.chunks_exact(*powers).zip(rises.chunks_exact(*powers));
-        for (node, (values, rises)) in nodes.enumerate() {
-            let (value, rise) = (horner(simd, values, t), horner(simd, rises, moduli));
+        for node in 0..envelope.phases.len() {
+            let value = horner(simd, at(values, node, *powers), t);
+            let rise = horner(simd, at(rises, node, *powers), moduli);
             let above = simd.sub_f64s(simd.add_f64s(value, rise), bounds[0]);
             let below = simd.sub_f64s(simd.sub_f64s(rise, value), bounds[1]);
             let beyond = simd.max_f64s(above, below);
@@ -220,6 +220,12 @@ impl<S: Simd> Lanes<'_, S> {
     }
 }
 
+/// The coefficients of a node, by its index: adapters of iterators are not always inlined into code for a wider processor.
+#[inline(always)]
+fn at(coefficients: &[f64], node: usize, powers: usize) -> &[f64] {
+    &coefficients[node * powers..][..powers]
+}
+
 #[inline(always)]
 fn any<S: Simd>(simd: S, mask: S::m64s) -> bool {
     simd.first_true_m64s(mask) < S::F64_LANES
@@ -237,7 +243,9 @@ fn count<S: Simd>(simd: S, mask: S::m64s, columns: usize) -> usize {
 /// `Σ_p t^p c_p` in every lane. No fused operation: the bits are not to depend on the processor.
 #[inline(always)]
 fn horner<S: Simd>(simd: S, coefficients: &[f64], t: S::f64s) -> S::f64s {
-    coefficients.iter().rev().fold(simd.splat_f64s(0.0), |sum, coefficient| {
-        simd.add_f64s(simd.mul_f64s(sum, t), simd.splat_f64s(*coefficient))
-    })
+    let mut sum = simd.splat_f64s(0.0);
+    for coefficient in coefficients.iter().rev() {
+        sum = simd.add_f64s(simd.mul_f64s(sum, t), simd.splat_f64s(*coefficient));
+    }
+    sum
 }

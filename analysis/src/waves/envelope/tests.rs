@@ -38,7 +38,7 @@ fn brute_force(f: impl Fn(f64) -> f64, degree: usize) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(80))]
     #[test]
     fn extremes_are_those_of_brute_force(
         coefficients in prop::collection::vec(prop::collection::vec(-1.0f64..1.0, 1..30), 1..6),

@@ -101,7 +101,9 @@ fn boxes(group: &Group) -> Vec<(String, [f32; 4])> {
         Node::Group(group) => boxes(group),
         Node::Text(text) => {
             let letters = text.chunks().iter().map(|chunk| chunk.text()).collect();
-            let area = text.flattened().abs_bounding_box();
+            // In the text's own directions: that of the letters on the page takes the turn twice.
+            let own = text.flattened().bounding_box();
+            let area = own.transform(text.abs_transform()).unwrap();
             vec![(letters, [area.left(), area.top(), area.right(), area.bottom()])]
         }
         _ => Vec::new(),

@@ -7,6 +7,9 @@ use super::*;
 use courant_analysis::exact::rational::{Rational, parse, to_f64};
 use courant_analysis::kernel::Kernel;
 
+/// Both codes on one lattice.
+const EQUALLY_SPACED: [Layout; 2] = [Layout::Uniform, Layout::Lattice];
+
 fn discretisation(scheme: AdvectionScheme, kernel: Kernel, ratio: &str) -> Discretisation {
     Discretisation::new(scheme, kernel, exact(ratio)).unwrap()
 }

@@ -147,35 +147,6 @@ fn errors_fall_with_the_number_of_particles() {
     }
 }
 
-#[test]
-fn exact_isothermal_solver_and_two_shocks_differ_as_their_star_states_do() {
-    let star = |solver| {
-        let run = run("isothermal-tube", ParticleMethod::Gph3, |options| options.solver = solver);
-        mean(&run, &run.profile.pressure, [0.02, 0.2])
-    };
-    // The pair's waves are weak after the start, so both runs find the exact 0.49662.
-    for solver in [SolverChoice::Published, SolverChoice::Exact] {
-        assert!((star(solver) - 0.49662).abs() < 2e-3, "{}", star(solver));
-    }
-}
-
-#[test]
-fn blocks_of_steps_conserve_and_save_pairs() {
-    for method in [ParticleMethod::Gph3, ParticleMethod::Gph4] {
-        let global = run("strong-blast", method, |_| {});
-        let block = run("strong-blast", method, |options| {
-            options.sharing = StepSharing::Block { levels: 4 };
-        });
-        assert!(block.completed(), "{:?}", block.failure);
-        assert!(block.conservation.momentum.abs() < 1e-14);
-        assert!(block.conservation.energy.expect("an energy equation").abs() < 1e-13);
-        assert!(block.counters.interactions < global.counters.interactions);
-        let scene = Scene::named("strong-blast").expect("it is in the list");
-        let error = |run: &Run| error(&scene, run);
-        assert!(error(&block) < 1.5 * error(&global), "{} {}", error(&block), error(&global));
-    }
-}
-
 /// What the count of penetration is for. With constant smoothing lengths the streams of the paper's supersonic
 /// collision pass through each other unless something dissipates; at three times the sound speed each, the
 /// first-order Riemann solver is not enough any more, and the quadratic viscosity is. Smoothing lengths
@@ -236,18 +207,6 @@ fn cold_gas_is_warned_of_a_shock_within_a_block() {
     assert!(block.completed(), "{:?}", block.failure);
     assert!(block.conservation.energy.expect("an energy equation").abs() < 1e-13);
     assert!(error(&Scene::named("noh").expect("it is in the list"), &block) < 0.02);
-}
-
-#[test]
-fn one_block_level_is_the_global_step() {
-    let global = run("sod-sph", ParticleMethod::Gph3, |_| {});
-    let block = run("sod-sph", ParticleMethod::Gph3, |options| {
-        options.sharing = StepSharing::Block { levels: 0 };
-    });
-    for (a, b) in global.profile.velocity.iter().zip(&block.profile.velocity) {
-        assert!((a - b).abs() < 1e-12);
-    }
-    assert_eq!(global.steps, block.steps);
 }
 
 #[test]

@@ -1,45 +1,30 @@
 //! An advected quantity, from its tables.
 
-use super::{Problem, SceneFile};
+use super::line::LayerTable;
+use super::{Problem, SceneFile, wrong};
 use crate::advection::{AdvectionScene, Piece};
 
 impl SceneFile {
     pub(super) fn advection(&self, name: &str) -> Result<AdvectionScene, Problem> {
-        let domain @ [from, to] = self.interval()?;
+        let domain = self.interval()?;
         let velocity = match &self.velocity {
             None => 1.0,
             Some(velocity) => match *velocity.get_ref() {
                 speed if speed.is_finite() && speed != 0.0 => speed,
                 speed => {
-                    let problem =
-                        format!("velocity = {speed}: a finite number other than 0 is needed");
-                    return Err((velocity.span().start, problem));
+                    let needed = "a finite number other than 0 is needed";
+                    return wrong(velocity.span().start, format!("velocity = {speed}: {needed}"));
                 }
             },
         };
-        let mut edge = from;
-        let mut profile = Vec::new();
-        for table in self.layer.iter().flatten() {
-            let (end, value) = (&table.get_ref().to, &table.get_ref().value);
-            let (place, layer_end) = (end.span().start, *end.get_ref());
-            if layer_end.is_nan() || layer_end <= edge {
-                return Err((place, format!("to = {layer_end}: a number above {edge} is needed")));
-            }
-            edge = layer_end;
-            let value =
-                value.as_ref().ok_or((place, "value is missing in this layer".to_string()))?;
-            if let Some(problem) = value.get_ref().problem(false) {
-                return Err((value.span().start, format!("value = {problem}")));
-            }
-            profile.push(Piece { to: edge, value: value.get_ref().clone() });
-        }
-        if profile.is_empty() || edge != to {
-            let place = self.layer.iter().flatten().last().map_or(0, |table| table.span().start);
-            return Err((
-                place,
-                format!("layer: tables [[layer]] with to and value, up to {to}, are needed"),
-            ));
-        }
+        let pieces = self.layers(domain)?.into_iter();
+        let pieces = pieces.map(|LayerTable { to, value, .. }| match value {
+            None => wrong(to.span().start, "value is missing in this layer"),
+            Some(value) => match value.get_ref().problem(false) {
+                Some(problem) => wrong(value.span().start, format!("value = {problem}")),
+                None => Ok(Piece { to: *to.get_ref(), value: value.get_ref().clone() }),
+            },
+        });
         let [name, description, source] = self.words(name);
         Ok(AdvectionScene {
             name,
@@ -47,7 +32,7 @@ impl SceneFile {
             source,
             domain,
             velocity,
-            profile,
+            profile: pieces.collect::<Result<_, _>>()?,
             end_time: self.end_time.0,
             particles: self.particles(200, 1)?,
             method: self.method(),

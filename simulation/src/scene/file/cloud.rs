@@ -1,8 +1,7 @@
 //! A sphere of gas, from its tables.
 
-use super::{Positive, Problem, SceneFile};
-use crate::gravity::{Cloud, Distribution, Known};
-use crate::scene::Material;
+use super::{Positive, Problem, SceneFile, wrong};
+use crate::gravity::{Cloud, Distribution};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -45,32 +44,21 @@ impl SceneFile {
         let table = self.sphere.as_ref().expect("a sphere is known by its table");
         let (place, sphere) = (table.span().start, table.get_ref());
         let material = self.material()?;
-        let energy = match (material, &sphere.energy) {
-            (Material::Isothermal(_), None) => 0.0,
-            (Material::Ideal(_), Some(energy)) => energy.get_ref().0,
-            (Material::Ideal(_), None) => {
-                let problem = "sphere.energy is missing: only an isothermal gas needs none";
-                return Err((place, problem.into()));
-            }
-            (Material::Isothermal(_), Some(energy)) => {
-                let problem = "sphere.energy: an isothermal gas has no energy equation";
-                return Err((energy.span().start, problem.into()));
-            }
-        };
+        let none = "an isothermal gas has no energy equation";
+        let energy = self.of_ideal(material, "sphere.energy", &sphere.energy, place, 0.0, none)?;
         let distribution = match (&sphere.exponent, &sphere.extent) {
             (Some(n), None) if (0.0..3.0).contains(n.get_ref()) => {
                 Distribution::PowerLaw(*n.get_ref())
             }
             (None, Some(extent)) => Distribution::BonnorEbert(extent.0),
             _ => {
-                let problem =
-                    "sphere: either exponent, from 0 to below 3, or extent, above 0, is needed";
-                return Err((place, problem.into()));
+                let needed = "either exponent, from 0 to below 3, or extent, above 0, is needed";
+                return wrong(place, format!("sphere: {needed}"));
             }
         };
-        let gravity = self.gravity.as_ref().ok_or_else(|| {
-            (place, "sphere: the table [gravity] with constant is needed".to_string())
-        })?;
+        let Some(gravity) = &self.gravity else {
+            return wrong(place, "sphere: the table [gravity] with constant is needed");
+        };
         let [name, description, source] = self.words(name);
         let mut cloud = Cloud {
             name,
@@ -93,22 +81,16 @@ impl SceneFile {
         if let (Some(radius), Some(sink)) = (cloud.sink, &self.sink)
             && radius >= cloud.radius
         {
-            let problem = format!("sink.radius = {radius}: a number below sphere.radius is needed");
-            return Err((sink.span().start, problem));
+            let needed = "a number below sphere.radius is needed";
+            return wrong(sink.span().start, format!("sink.radius = {radius}: {needed}"));
         }
-        cloud.known = self.known(&cloud)?;
-        Ok(cloud)
-    }
-
-    /// What the file says is known of the flow, where it is true.
-    fn known(&self, cloud: &Cloud) -> Result<Option<Known>, Problem> {
-        let Some(exact) = &self.exact else { return Ok(None) };
-        match exact.get_ref().demand(cloud) {
-            None => Ok(Some(*exact.get_ref())),
-            Some(demand) => {
+        if let Some(exact) = &self.exact {
+            cloud.known = Some(*exact.get_ref());
+            if let Some(demand) = exact.get_ref().demand(&cloud) {
                 let problem = format!("exact: that is known {demand}; else leave it out");
-                Err((exact.span().start, problem))
+                return wrong(exact.span().start, problem);
             }
         }
+        Ok(cloud)
     }
 }

@@ -1,9 +1,9 @@
 //! A gas on a line, from its tables.
 
-use super::{KEYS, Problem, Quantity, SceneFile, place};
+use super::{KEYS, Problem, Quantity, SceneFile, ascends, place, wrong};
 use crate::boundary::Boundary;
 use crate::riemann::State;
-use crate::scene::{Flow, InvalidScene, Layer, MIN_PARTICLES, Material, Scene};
+use crate::scene::{Flow, Layer, MIN_PARTICLES, Material, Scene};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -39,81 +39,95 @@ impl SceneFile {
             Some(ends) => self.ends(ends.get_ref())?,
             None => [Boundary::Transmissive; 2],
         };
+        let window = match self.window.as_ref().map(|window| *window.get_ref()) {
+            Some(window) if !ascends(&window) => {
+                let needed = "two ascending finite numbers are needed";
+                return wrong(place(&self.window), format!("window = {window:?}: {needed}"));
+            }
+            Some(window) => window,
+            // Where it is periodic a period more on each side, for particles that drift over the ends.
+            None => {
+                let [from, to] = domain;
+                let more = if boundary[0] == Boundary::Periodic { to - from } else { 0.0 };
+                [from - more, to + more]
+            }
+        };
         let [name, description, source] = self.words(name);
-        let scene = Scene {
+        Ok(Scene {
             name,
             description,
             source,
             material,
             domain,
             boundary,
-            window: match &self.window {
-                Some(window) => *window.get_ref(),
-                None => Scene::usual_window(domain, boundary),
-            },
-            flow: self.flow(material, domain)?,
+            window,
+            flow: self.flow(material, domain, boundary)?,
             end_time: self.end_time.0,
             particles: self.particles(100, MIN_PARTICLES)?,
             constant_smoothing: self.constant_smoothing.as_ref().is_some_and(|yes| *yes.get_ref()),
             method: self.method(),
-        };
-        let describe = |error: InvalidScene| {
-            (self.place_on_line(error.key), format!("{} = {}", error.key, error.problem))
-        };
-        scene.check().map_err(describe)?;
-        Ok(scene)
+        })
     }
 
-    /// Where the value of a key stands.
-    fn place_on_line(&self, key: &str) -> usize {
-        let layer = self.layer.as_ref().and_then(|all| all.first()).map(Spanned::get_ref);
-        match key {
-            "window" => place(&self.window),
-            "to" => layer.map_or(place(&self.diaphragm), |layer| layer.to.span().start),
-            "amplitude" | "simple_wave" => place(&self.simple_wave),
-            _ => layer.map_or(place(&self.left), |layer| place(&layer.density)),
-        }
-    }
-
-    fn flow(&self, material: Material, domain: [f64; 2]) -> Result<Flow, Problem> {
+    fn flow(
+        &self,
+        material: Material,
+        domain: [f64; 2],
+        boundary: [Boundary; 2],
+    ) -> Result<Flow, Problem> {
         let tube = (&self.diaphragm, &self.left, &self.right);
-        match (tube, &self.layer, &self.simple_wave) {
+        let (start, layers) = match (tube, &self.layer, &self.simple_wave) {
             ((Some(diaphragm), Some(left), Some(right)), None, None) => {
                 let (at, [from, to]) = (*diaphragm.get_ref(), domain);
                 if !(at > from && at < to) {
-                    let problem =
-                        format!("diaphragm = {at}: a number between {from} and {to} is needed");
-                    return Err((diaphragm.span().start, problem));
+                    let needed = format!("a number between {from} and {to} is needed");
+                    return wrong(diaphragm.span().start, format!("diaphragm = {at}: {needed}"));
                 }
                 let layer = |name, side: &Spanned<Side>, to| {
                     let Side { density, velocity, pressure } = side.get_ref();
                     layer(name, material, to, [density, velocity], pressure.as_ref())
                 };
-                Ok(Flow::Layers(vec![layer("left.", left, at)?, layer("right.", right, to)?]))
+                (place(&self.left), vec![layer("left.", left, at)?, layer("right.", right, to)?])
             }
-            ((None, None, None), Some(layers), None) => {
-                let layers = layers.iter().map(|table| {
-                    let LayerTable { to, density, velocity, pressure, value } = table.get_ref();
+            ((None, None, None), Some(_), None) => {
+                let tables = self.layers(domain)?;
+                let start = tables.first().map_or(0, |table| table.to.span().start);
+                let layers = tables.into_iter().map(|table| {
+                    let LayerTable { to, density, velocity, pressure, value } = table;
                     if let Some(value) = value {
                         let problem = "value: a gas has density, velocity and pressure; a value has \
                                        equation = \"advection\"";
-                        return Err((value.span().start, problem.into()));
+                        return wrong(value.span().start, problem);
                     }
                     let missing = |key| (to.span().start, format!("{key} is missing in this layer"));
                     let density = density.as_ref().ok_or_else(|| missing("density"))?;
                     let velocity = velocity.as_ref().ok_or_else(|| missing("velocity"))?;
                     layer("", material, *to.get_ref(), [density, velocity], pressure.as_ref())
                 });
-                Ok(Flow::Layers(layers.collect::<Result<_, _>>()?))
+                (start, layers.collect::<Result<_, _>>()?)
             }
             ((None, None, None), None, Some(wave)) => {
-                Ok(Flow::SimpleWave { amplitude: *wave.get_ref().amplitude.get_ref() })
+                let (start, amplitude) = (wave.span().start, *wave.get_ref().amplitude.get_ref());
+                if !(amplitude > 0.0 && amplitude < 1.0) {
+                    let needed = "a number above 0 and below 1 is needed";
+                    return wrong(start, format!("amplitude = {amplitude}: {needed}"));
+                }
+                let periodic = (domain, boundary) == ([0.0, 1.0], [Boundary::Periodic; 2]);
+                if !periodic || material.ideal().is_none() {
+                    let needed = "a simple wave is that of an ideal gas on the periodic [0, 1]";
+                    return wrong(start, format!("simple_wave: {needed}"));
+                }
+                return Ok(Flow::SimpleWave { amplitude });
             }
             _ => {
                 let problem = "the initial state is either diaphragm, [left] and [right], or [[layer]], or \
                                [simple_wave]";
-                Err((0, format!("{problem}; accepted: {KEYS}")))
+                return wrong(0, format!("{problem}; accepted: {KEYS}"));
             }
+        };
+        match layers.iter().all(Layer::is_vacuum) {
+            true => wrong(start, "density = 0 everywhere: there is no gas"),
+            false => Ok(Flow::Layers(layers)),
         }
     }
 }
@@ -128,7 +142,7 @@ fn layer(
 ) -> Result<Layer, Problem> {
     let checked =
         |name: &str, value: &Spanned<Quantity>| match value.get_ref().problem(name != "velocity") {
-            Some(problem) => Err((value.span().start, format!("{prefix}{name} = {problem}"))),
+            Some(problem) => wrong(value.span().start, format!("{prefix}{name} = {problem}")),
             None => Ok(value.get_ref().clone()),
         };
     let place = density.span().start;
@@ -143,14 +157,14 @@ fn layer(
         (Material::Ideal(_), None) if density == Quantity::Constant(0.0) => Quantity::Constant(0.0),
         (Material::Ideal(_), None) => {
             let problem = format!("{prefix}pressure is missing: only an isothermal gas needs none");
-            return Err((place, problem));
+            return wrong(place, problem);
         }
     };
     let layer = Layer { to, density, velocity, pressure };
     if let Some(state) = layer.state()
         && let Err(error) = State::new(state.density(), state.velocity(), state.pressure())
     {
-        return Err((place, format!("{prefix}{error}")));
+        return wrong(place, format!("{prefix}{error}"));
     }
     Ok(layer)
 }

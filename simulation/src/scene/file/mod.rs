@@ -30,8 +30,10 @@ use crate::gravity::Known;
 use crate::lattice::Lattice;
 use crate::particles::IsothermalGas;
 use crate::riemann::IdealGas;
+use line::LayerTable;
 use serde::Deserialize;
 use toml::Spanned;
+use toml::de::DeTable;
 
 /// What a file has to hold, for messages.
 pub const KEYS: &str = "gamma (or sound_speed), domain = [from, to], end_time, and the gas at the start: either diaphragm with \
@@ -128,70 +130,57 @@ enum Ends {
 /// A place in the text, and what is wrong there.
 type Problem = (usize, String);
 
-/// What kind of scene a file describes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Advection,
-    Line,
-    Field,
-    Cloud,
+/// What is wrong at a place.
+fn wrong<T>(place: usize, problem: impl Into<String>) -> Result<T, Problem> {
+    Err((place, problem.into()))
 }
 
-impl Kind {
-    const ALL: [Self; 4] = [Self::Advection, Self::Line, Self::Field, Self::Cloud];
+/// Whether two numbers are an interval.
+fn ascends([from, to]: &[f64; 2]) -> bool {
+    from.is_finite() && to.is_finite() && from < to
+}
 
-    fn name(self) -> &'static str {
-        match self {
-            Self::Advection => "an advection scene",
-            Self::Line => "a gas on a line",
-            Self::Field => "a gas in a box",
-            Self::Cloud => "a sphere",
-        }
-    }
-
+/// What is particular to a kind of scene.
+struct Kind {
+    name: &'static str,
     /// The keys that it takes beside those of every scene.
-    fn keys(self) -> &'static [&'static str] {
-        match self {
-            Self::Advection => &["domain", "velocity", "layer"],
-            Self::Line => &[
-                "gamma",
-                "sound_speed",
-                "domain",
-                "boundary",
-                "window",
-                "constant_smoothing",
-                "diaphragm",
-                "left",
-                "right",
-                "layer",
-                "simple_wave",
-            ],
-            Self::Field => &[
-                "gamma",
-                "sound_speed",
-                "domain",
-                "boundary",
-                "lattice",
-                "shear",
-                "vortex",
-                "blast",
-            ],
-            Self::Cloud => {
-                &["gamma", "sound_speed", "sphere", "gravity", "sink", "outside", "exact"]
-            }
-        }
-    }
-
-    /// The keys by which it is known.
-    fn marks(self) -> &'static [&'static str] {
-        match self {
-            Self::Advection => &["velocity"],
-            Self::Line => &["diaphragm", "left", "right", "layer", "simple_wave"],
-            Self::Field => &["shear", "vortex", "blast"],
-            Self::Cloud => &["sphere"],
-        }
-    }
+    keys: &'static str,
+    /// Those by which it is known.
+    marks: &'static [&'static str],
+    read: fn(&SceneFile, &str) -> Result<AnyScene, Problem>,
 }
+
+/// The first one takes `equation = "advection"`.
+const KINDS: [Kind; 4] = [
+    Kind {
+        name: "an advection scene",
+        keys: "domain, velocity, layer",
+        marks: &[],
+        read: |file, name| Ok(AnyScene::Advection(file.advection(name)?)),
+    },
+    Kind {
+        name: "a gas on a line",
+        keys: "gamma, sound_speed, domain, boundary, window, constant_smoothing, diaphragm, left, right, layer, simple_wave",
+        marks: &["diaphragm", "left", "right", "layer", "simple_wave"],
+        read: |file, name| Ok(AnyScene::Line(file.line(name)?)),
+    },
+    Kind {
+        name: "a gas in a box",
+        keys: "gamma, sound_speed, domain, boundary, lattice, shear, vortex, blast",
+        marks: &["shear", "vortex", "blast"],
+        read: |file, name| Ok(AnyScene::Field(file.field(name)?)),
+    },
+    Kind {
+        name: "a sphere",
+        keys: "gamma, sound_speed, sphere, gravity, sink, outside, exact",
+        marks: &["sphere"],
+        read: |file, name| Ok(AnyScene::Cloud(file.cloud(name)?)),
+    },
+];
+
+/// The keys of every scene.
+const COMMON: [&str; 8] =
+    ["name", "description", "source", "method", "end_time", "particles", "equation", "dimension"];
 
 impl AnyScene {
     /// A scene from the text of a file; `name` is its name where the file gives none.
@@ -208,7 +197,10 @@ impl AnyScene {
             let before = text.get(..place).unwrap_or_default().lines().last().unwrap_or_default();
             at((place, explain(&error.message().replace('\n', " "), before)))
         })?;
-        file.scene(name).map_err(at)
+        let table = DeTable::parse(text).expect("it was read just now");
+        let given: Vec<(&str, usize)> =
+            table.get_ref().keys().map(|key| (&**key.get_ref(), key.span().start)).collect();
+        file.scene(name, &given).map_err(at)
     }
 }
 
@@ -237,72 +229,27 @@ fn place<T>(value: &Option<Spanned<T>>) -> usize {
 }
 
 impl SceneFile {
-    /// The keys given that not every scene takes, and where.
-    fn given(&self) -> Vec<(&'static str, usize)> {
-        macro_rules! keys {
-            ($($key:ident),*) => {
-                [$((stringify!($key), self.$key.as_ref().map(|value| value.span().start))),*]
-            };
-        }
-        let layer = self.layer.as_ref().map(|all| all.first().map_or(0, |one| one.span().start));
-        let keys = keys![
-            gamma,
-            sound_speed,
-            velocity,
-            domain,
-            boundary,
-            window,
-            constant_smoothing,
-            lattice,
-            exact,
-            diaphragm,
-            left,
-            right,
-            simple_wave,
-            shear,
-            vortex,
-            blast,
-            sphere,
-            gravity,
-            sink,
-            outside
-        ];
-        keys.into_iter()
-            .chain([("layer", layer)])
-            .filter_map(|(key, place)| Some((key, place?)))
-            .collect()
-    }
-
-    fn kind(&self, given: &[(&str, usize)]) -> Result<Kind, Problem> {
-        if self.equation == Some(Equation::Advection) {
-            return Ok(Kind::Advection);
-        }
-        let known = |kind: &Kind| given.iter().any(|(key, _)| kind.marks().contains(key));
-        match Kind::ALL[1..].iter().find(|kind| known(kind)) {
-            Some(kind) => Ok(*kind),
-            None => Err((0, format!("the gas at the start is missing; accepted: {KEYS}"))),
-        }
-    }
-
-    fn scene(&self, name: &str) -> Result<AnyScene, Problem> {
-        let given = self.given();
-        let kind = self.kind(&given)?;
-        if let Some((key, place)) = given.iter().find(|(key, _)| !kind.keys().contains(key)) {
-            let (kind, keys) = (kind.name(), kind.keys().join(", "));
-            return Err((*place, format!("{key}: {kind} has no such key; it takes {keys}")));
-        }
-        let scene = match kind {
-            Kind::Advection => AnyScene::Advection(self.advection(name)?),
-            Kind::Line => AnyScene::Line(self.line(name)?),
-            Kind::Field => AnyScene::Field(self.field(name)?),
-            Kind::Cloud => AnyScene::Cloud(self.cloud(name)?),
+    /// The scene, from the keys that are given and where.
+    fn scene(&self, name: &str, given: &[(&str, usize)]) -> Result<AnyScene, Problem> {
+        let known = |kind: &&Kind| given.iter().any(|(key, _)| kind.marks.contains(key));
+        let kind = match self.equation {
+            Some(Equation::Advection) => Some(&KINDS[0]),
+            Some(Equation::Gas) | None => KINDS.iter().find(known),
         };
+        let Some(Kind { name: what, keys, read, .. }) = kind else {
+            return wrong(0, format!("the gas at the start is missing; accepted: {KEYS}"));
+        };
+        let takes = |key: &str| COMMON.contains(&key) || keys.split(", ").any(|known| known == key);
+        let others = given.iter().filter(|(key, _)| !takes(key));
+        if let Some((key, place)) = others.min_by_key(|(_, place)| place) {
+            return wrong(*place, format!("{key}: {what} has no such key; it takes {keys}"));
+        }
+        let scene = read(self, name)?;
         let dimension = scene.dimension();
         match &self.dimension {
             Some(given) if *given.get_ref() != dimension => {
-                let problem =
-                    format!("dimension = {}: {} has {dimension}", given.get_ref(), kind.name());
-                Err((given.span().start, problem))
+                let problem = format!("dimension = {}: {what} has {dimension}", given.get_ref());
+                wrong(given.span().start, problem)
             }
             _ => Ok(scene),
         }
@@ -326,7 +273,7 @@ impl SceneFile {
         match self.particles.as_ref().map(|count| *count.get_ref()) {
             Some(count) if count < least => {
                 let problem = format!("particles = {count}: at least {least} are needed");
-                Err((place(&self.particles), problem))
+                wrong(place(&self.particles), problem)
             }
             count => Ok(count.unwrap_or(usual)),
         }
@@ -341,51 +288,92 @@ impl SceneFile {
                 Ok(Material::Isothermal(IsothermalGas { sound_speed: speed.get_ref().0 }))
             }
             (Some(_), Some(speed)) => {
-                let problem =
-                    "sound_speed: a gas has a gamma or, isothermal, a sound_speed, not both";
-                Err((speed.span().start, problem.into()))
+                let not_both = "a gas has a gamma or, isothermal, a sound_speed, not both";
+                wrong(speed.span().start, format!("sound_speed: {not_both}"))
             }
-            (None, None) => Err((0, format!("gamma or sound_speed is missing; accepted: {KEYS}"))),
+            (None, None) => wrong(0, format!("gamma or sound_speed is missing; accepted: {KEYS}")),
+        }
+    }
+
+    /// A number that an ideal gas needs, and of which an isothermal one says why it has none of its own but another.
+    fn of_ideal(
+        &self,
+        material: Material,
+        key: &str,
+        value: &Option<Spanned<Positive>>,
+        table: usize,
+        isothermal: f64,
+        why: &str,
+    ) -> Result<f64, Problem> {
+        match (material, value) {
+            (Material::Isothermal(_), None) => Ok(isothermal),
+            (Material::Isothermal(_), Some(own)) => {
+                wrong(own.span().start, format!("{key}: {why}"))
+            }
+            (Material::Ideal(_), Some(own)) => Ok(own.get_ref().0),
+            (Material::Ideal(_), None) => {
+                wrong(table, format!("{key} is missing: only an isothermal gas needs none"))
+            }
         }
     }
 
     /// The interval of a scene on a line.
     fn interval(&self) -> Result<[f64; 2], Problem> {
+        let here = place(&self.domain);
         match self.domain.as_ref().map(Spanned::get_ref) {
-            None => Err((0, format!("domain is missing; accepted: {KEYS}"))),
-            Some(Axes::Line(ends @ [from, to]))
-                if from.is_finite() && to.is_finite() && from < to =>
-            {
-                Ok(*ends)
+            None => wrong(0, format!("domain is missing; accepted: {KEYS}")),
+            Some(Axes::Line(ends)) if ascends(ends) => Ok(*ends),
+            Some(Axes::Line(ends)) => {
+                let needed = "two ascending finite numbers are needed";
+                wrong(here, format!("domain = {ends:?}: {needed}"))
             }
-            Some(Axes::Line([from, to])) => {
-                let problem =
-                    format!("domain = [{from}, {to}]: two ascending finite numbers are needed");
-                Err((place(&self.domain), problem))
+            Some(Axes::Box(_)) => {
+                wrong(here, "domain: on a line, one interval [from, to] is needed")
             }
-            Some(Axes::Box(_)) => Err((
-                place(&self.domain),
-                "domain: on a line, one interval [from, to] is needed".into(),
-            )),
+        }
+    }
+
+    /// The tables [[layer]], each up to its edge and the last one up to the end.
+    fn layers(&self, [from, to]: [f64; 2]) -> Result<Vec<&LayerTable>, Problem> {
+        let tables: Vec<&LayerTable> = self.layer.iter().flatten().map(Spanned::get_ref).collect();
+        let (mut edge, mut here) = (from, 0);
+        for table in &tables {
+            let end = *table.to.get_ref();
+            here = table.to.span().start;
+            if end.is_nan() || end <= edge {
+                return wrong(here, format!("to = {end}: a number above {edge} is needed"));
+            }
+            edge = end;
+        }
+        match edge == to {
+            true => Ok(tables),
+            false if tables.is_empty() => wrong(
+                0,
+                format!("layer: tables [[layer]], the last one with to = {to}, are needed"),
+            ),
+            false => {
+                wrong(here, format!("to = {edge}: the last layer ends with the domain, at {to}"))
+            }
         }
     }
 
     /// The boundaries of an interval.
     fn ends(&self, ends: &Ends) -> Result<[Boundary; 2], Problem> {
         let pair = match ends {
-            Ends::All(end) => Some([*end; 2]),
+            Ends::All(end) => [*end; 2],
             Ends::Each(words) => match words.as_slice() {
-                [Ends::All(left), Ends::All(right)] => Some([*left, *right]),
-                _ => None,
+                [Ends::All(left), Ends::All(right)] => [*left, *right],
+                _ => {
+                    let two = "boundary: an interval has two ends, each of one word";
+                    return wrong(place(&self.boundary), two);
+                }
             },
         };
-        let two = "boundary: an interval has two ends, each of one word";
-        let pair = pair.ok_or_else(|| (place(&self.boundary), two.to_string()))?;
         match pair.map(|end| end == Boundary::Periodic) {
-            [true, false] | [false, true] => Err((
-                place(&self.boundary),
-                "boundary: an interval is periodic at both ends or at none".into(),
-            )),
+            [true, false] | [false, true] => {
+                let both = "boundary: an interval is periodic at both ends or at none";
+                wrong(place(&self.boundary), both)
+            }
             _ => Ok(pair),
         }
     }
