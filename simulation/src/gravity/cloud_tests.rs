@@ -140,35 +140,15 @@ fn the_singular_sphere_collapses_onto_its_sink() {
 }
 
 #[test]
-fn a_sphere_that_a_sink_takes_up_whole_says_that_its_last_particles_kept_their_lengths() {
-    let cloud = Cloud { end_time: 2.5, ..Cloud::named("sis-collapse").expect("it is in the list") };
-    let options = options(ParticleMethod::Gph3, 8);
-    let said = |cloud: &Cloud| {
-        let run = run(cloud, 100, &options);
-        // The second road: what the sink has left after every step, where it is less than η³/W(0, 1) particles.
-        let left = run.core.iter().map(|core| ((cloud.mass - core[1]) * 50.0).round());
-        let few = left.filter(|left| *left < 1.145_f64.powi(3) * std::f64::consts::PI);
-        let kept = few.fold(0.0, f64::max);
-        let says: Vec<_> = run.run.warnings.into_iter().filter(|w| w.contains("kept")).collect();
-        (kept, says.join(""))
-    };
-    let (kept, says) = said(&cloud);
-    assert!(
-        kept > 0.0 && says.ends_with(&format!("the last {kept} particles kept theirs")),
-        "{kept} {says}"
-    );
-    assert_eq!(said(&Cloud { end_time: 0.4, ..cloud }), (0.0, String::new()));
-}
-
-#[test]
 fn the_place_of_a_wave_and_the_motion_before_it_are_found_again() {
     let cloud = Cloud::named("sis-collapse").expect("it is in the list");
     let reach = 0.6;
     let time = reach - cloud.wave_start().expect("it has a sink");
-    // A wave that lags by 4 %, alone, and on gas that expands everywhere.
-    let head = |drift: f64| {
+    // A wave that lags by 4 %, on gas that moves.
+    let head = |drift: fn(f64) -> f64| {
         let place = |k: u32| 0.1 + f64::from(k) * 1e-3;
-        let speed = |r: f64| ExpansionWave::solution().at(r / (0.96 * reach)).velocity + drift;
+        let speed =
+            |r: f64| ExpansionWave::solution().at(r / (0.96 * reach)).velocity + drift(r / reach);
         let snapshot = Snapshot {
             time,
             position: (0..900).map(|k| [0.0, place(k), 0.0]).collect(),
@@ -179,13 +159,10 @@ fn the_place_of_a_wave_and_the_motion_before_it_are_found_again() {
         };
         cloud.head(&snapshot).expect("there is a wave")
     };
-    let still = head(0.0);
+    let still = head(|_| 0.0);
     assert!((still.stretch - 0.96).abs() < 1e-4 && still.before.abs() < 1e-12, "{still:?}");
-    // The fit moves by less than half of what the place of a tenth of c would move, δ/|du/dx| of 0.03/1.1.
-    let moved = head(0.03);
-    assert!((moved.before - 0.03).abs() < 1e-12);
-    let slope = (ExpansionWave::solution().at(0.91).velocity
-        - ExpansionWave::solution().at(0.9).velocity)
-        / 0.01;
-    assert!((still.stretch - moved.stretch).abs() < 0.03 / slope, "{moved:?}");
+    assert!((head(|_| 0.03).before - 0.03).abs() < 1e-12);
+    // A swing displaces a place of one speed by up to δ/|du/dx|, 0.03; over the wave it is lost in the mean.
+    let swinging = head(|x| 0.03 * (4.0 * std::f64::consts::PI * x).cos());
+    assert!((swinging.stretch - 0.96).abs() < 0.004, "{swinging:?}");
 }

@@ -12,8 +12,8 @@ pub struct Head {
     pub time: f64,
     /// The factor by which the radii of the exact solution are multiplied to fit the radial velocities best, by least squares over [`WAVE`].
     ///
-    /// The place where the mean infall is some small part of `c` would measure the gas before the wave instead: where that
-    /// moves by `δ`, a place of slope `du/dr ≈ −1/t` moves by `δ t`.
+    /// The place where the mean infall is some small part of `c` would measure the motion of the gas there instead: it moves by
+    /// `δ/|du/dr| ≈ δ t` where all moves by `δ`. The fit moves as far if all moves alike, but a swing is lost in the mean.
     pub stretch: f64,
     /// Mean radial velocity before the wave, for `1 < r/(c t) < 1.2`, in sound speeds. Exact: 0.
     pub before: f64,

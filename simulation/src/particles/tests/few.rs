@@ -2,10 +2,10 @@
 
 use super::pairs::{air, disordered};
 use crate::boundary::Boundary;
-use crate::march::Evolution;
+use crate::march::{Evolution, March};
 use crate::particles::*;
 use crate::riemann::IdealGas;
-use crate::run::Reason;
+use crate::run::{Conservation, Penetration, Promise, Reason, Run};
 use courant_analysis::kernel::Kernel;
 
 const FORCE: Smoothed = Smoothed { form: PressureForm::Sum, viscosity: Viscosity::STANDARD };
@@ -23,6 +23,11 @@ fn so_few_that_no_length_satisfies_them_keep_theirs() {
     assert_eq!(few.particles.smoothing, before);
     assert!(few.density().iter().all(|density| *density > 0.0));
     assert_eq!(few.counters.kept_lengths, 3);
+    // Whatever has such counters says so.
+    let march = March { time: 1.0, steps: 1, rejected: 0, failure: None, cancelled: false };
+    let (drift, penetration) = (Conservation::default(), Penetration::default());
+    let run = Run::after(&march, (), drift, Promise::RoundOff, few.counters, penetration);
+    assert!(run.warnings[0].ends_with("the last 3 particles kept theirs"), "{:?}", run.warnings);
     // Periodic images are without end, and a crowd is no few.
     for (count, boundary) in [(3, Boundary::Periodic), (60, Boundary::Open)] {
         let mut many = gas(count, boundary);
