@@ -3,16 +3,20 @@
 use serde_json::Value;
 use std::process::{Command, Output};
 
+mod advection;
 mod answers;
 mod curves;
 mod dialect;
 mod dimensions;
+mod gas;
 mod manners;
+mod particles;
 mod probe;
 mod report;
 mod runs;
 mod scenes;
 mod subjects;
+mod waves;
 
 fn courant(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_courant")).args(arguments).output().unwrap()

@@ -24,7 +24,7 @@ const METHODS: [(ParticleMethod, &str, ActsOn); 5] = [
 
 fn count(detail: Detail) -> usize {
     match detail {
-        Detail::Quick => 400,
+        Detail::Quick => 196,
         Detail::Standard => 900,
         Detail::Full => 2500,
     }

@@ -14,7 +14,7 @@ const SCENE: &str = "sod-sph";
 
 fn numbers(detail: Detail) -> &'static [usize] {
     match detail {
-        Detail::Quick => &[100, 200],
+        Detail::Quick => &[50, 100],
         Detail::Standard => &[100, 200, 400, 800],
         Detail::Full => &[100, 200, 400, 800, 1600, 3200],
     }

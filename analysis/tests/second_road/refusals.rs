@@ -4,7 +4,7 @@ use courant_analysis::scheme::Step;
 
 #[test]
 fn every_refusal_of_the_document_is_given() {
-    let document = include_str!("../../docs/language.md");
+    let document = include_str!("../../../docs/language.md");
     let section = document.split("### Understood, but no scheme").nth(1).expect("the section");
     let rows = section.lines().filter(|line| line.starts_with("| `"));
     let mut count = 0;
