@@ -77,7 +77,6 @@ impl Step {
             let positive = search_within(&margin, &plan.max, &integer(0), plan);
             let limit = positive.limit();
             if limit.upper().is_finite()
-                && limit.is_positive()
                 && found.iter().all(|known| known.value > limit.value() * (1.0 + 1e-9))
             {
                 let exact = limit.exact().and_then(|exact| exact.as_fraction().cloned());
@@ -185,6 +184,12 @@ mod tests {
         // 1 + C (E − 1): 1 − 2C for the shortest wave.
         let downwind = "u[n+1,j] + C*(u[n+1,j+1] - u[n+1,j]) = u[n,j]";
         assert_eq!(singular(downwind), [at(ratio(1, 2), PI)]);
+        // cos² φ − C: a quarter of the circle at once, though at both ends only 1 is singular.
+        let quarter = "(u[n+1,j+2] + 2*u[n+1,j] + u[n+1,j-2])/4 - C*u[n+1,j] = u[n,j]";
+        let found = singular(quarter);
+        assert_eq!((found[0].value, &found[0].exact), (0.0, &Some(integer(0))));
+        assert!((found[0].wave.as_ref().unwrap().phases()[0] - FRAC_PI_2).abs() < 1e-6);
+        assert_eq!(found[1..], [at(integer(1), 0.0), at(integer(1), PI)]);
         // 2 − 2C − C E: the longest at 2/3 and the shortest at 2, ascending.
         let both = "2*u[n+1,j] - 2*C*u[n+1,j] - C*u[n+1,j+1] = u[n,j]";
         assert_eq!(singular(both), [at(ratio(2, 3), 0.0), at(integer(2), PI)]);

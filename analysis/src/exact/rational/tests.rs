@@ -169,6 +169,12 @@ proptest! {
 }
 
 #[test]
+fn the_root_of_zero_is_zero() {
+    let zero = integer(0);
+    assert_eq!(square_root_enclosure(&zero, &zero, 20), (zero.clone(), zero.clone()));
+}
+
+#[test]
 fn fractions_are_set_with_their_sign_in_front() {
     let set = |above: i64, below: i64| to_latex(&ratio(above, below));
     assert_eq!([set(3, 4), set(-3, 4)], ["\\frac{3}{4}", "-\\frac{3}{4}"]);

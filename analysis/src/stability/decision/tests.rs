@@ -105,6 +105,11 @@ fn the_wave_that_grows_at_once_is_the_fastest() {
     let two = format!("u[n+1,j] = 2*u[n,j] - u[n-1,j] + C^2*({sine} + 4096*C*{haversine})");
     let (quarter, half) = (std::f64::consts::FRAC_PI_2, std::f64::consts::PI);
     assert!((phase(&one) - quarter).abs() < 1e-6 && (phase(&two) - half).abs() < 1e-6);
+    // Between the samples: 8 sin φ − sin 2φ is largest where cos φ = 1 − √(3/2).
+    let fourth = "u[n+1,j] = u[n,j] - C/12*(8*u[n,j+1] - 8*u[n,j-1] - u[n,j+2] + u[n,j-2])";
+    assert!((phase(fourth) - (1.0 - 1.5f64.sqrt()).acos()).abs() < 1e-6);
+    // At a sample, to the last digit.
+    assert_eq!(phase("u[n+1,j] = u[n,j] - C*(u[n,j+1] - 2*u[n,j] + u[n,j-1])"), half);
 }
 
 #[test]

@@ -82,6 +82,7 @@ fn what_another_condition_leaves_open_beyond_the_end_is_not_asked() {
         let set = intersection(&[first.clone(), second], &plan(52));
         let to = &set.intervals[0].to;
         assert_eq!(set.evidence, Evidence::Enclosed);
+        assert!(set.immediately_unstable.is_none() && set.immediate_binding.is_none());
         assert!(to.lower() <= 1.0 && (to.upper() - 1.0).abs() < 2e-8, "{set:?}");
         assert_eq!(to.exact().is_none(), open, "{set:?}");
         assert!(set.undecided.is_empty() || open, "{set:?}");

@@ -63,6 +63,11 @@ fn touching_zero_binds_nothing_and_isolated_points_are_no_interval() {
     // c_1 = C (C − 1)², c_0 = 2 − C: the touch at 1 passes, the crossing at 2 binds.
     let limit = set("u[n+1,j] = (2 - C)*u[n,j] + C*(C - 1)^2*u[n,j+1]").limit();
     assert_eq!((limit.value(), limit.binding_offset()), (2.0, Some(&[0][..])));
+    // Of several ends the first, in whichever order they come.
+    for (first, second) in [("(1 - C)", "(2 - C)"), ("(2 - C)", "(1 - C)")] {
+        let limit = set(&format!("u[n+1,j] = {first}*u[n,j] + C*{second}*u[n,j-1]")).limit();
+        assert_eq!(limit.value(), 1.0);
+    }
     // C² − 2 and 2 − C² agree at √2 alone, however their roots are enclosed.
     let none = set("u[n+1,j] = (C^2 - 2)*u[n,j] + (2 - C^2)*(3 + C)*u[n,j+1]");
     assert!(none.intervals.is_empty() && none.undecided.is_empty());

@@ -139,10 +139,8 @@ impl<'a> Search<'a> {
                     break;
                 }
                 Stretch::Undecided(lower, upper) => {
-                    // A sliver is stepped over; otherwise all of the rest is open.
-                    let widest = LAST_WIDTH.min(self.bits);
-                    let sliver = &upper - &lower <= &upper * power_of_half(widest);
-                    let steps_over = sliver && lower > from.upper;
+                    // All of the rest is open, or a sliver that is stepped over.
+                    let steps_over = upper < self.end && lower > from.upper;
                     let open =
                         self.courant_numbers(&lower, if steps_over { &upper } else { &self.end });
                     if lower > from.upper {

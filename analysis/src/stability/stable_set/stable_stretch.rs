@@ -251,9 +251,14 @@ mod tests {
         // From where a wave is unstable there is no stretch at all.
         let at = |t: i64| Some(Box::new((integer(0), integer(t))));
         assert!(matches!(search().bisect(&integer(2), at(2)), Stretch::Empty(_)));
-        let Stretch::Ends(edge) = search().bisect(&integer(0), at(3)) else { panic!() };
+        let mut asked = search();
+        let Stretch::Ends(edge) = asked.bisect(&integer(0), at(3)) else { panic!() };
+        assert_eq!(asked.work.cells, 0);
         assert!(edge.lower <= integer(1) && edge.upper >= integer(1));
         assert!(&edge.upper - &edge.lower < ratio(1, 1 << 50));
+        // Also where halving meets the end.
+        let Stretch::Ends(edge) = search().bisect(&integer(0), at(2)) else { panic!() };
+        assert_eq!(edge.lower, integer(1));
         // Within 2^−20 of 3 − t: up to where some data may be unstable, from where all are.
         let width = ratio(1, 1 << 20);
         let blurred = margin(&[&[3 << 20], &[-(1 << 20)]], &integer(1));
@@ -275,6 +280,8 @@ mod tests {
             let mut search = Search::new(&touching, &integer(4), DEFAULT_BITS);
             assert!(!search.guesses.is_empty());
             assert!(matches!(search.stable_stretch(&integer(0)), Stretch::Continues));
+            // At an end of the range of phases by cells alone.
+            assert_eq!(search.work.boxes == 0, first.len() == 2);
         }
     }
 

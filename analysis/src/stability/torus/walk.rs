@@ -343,8 +343,7 @@ impl<'a> Walk<'a> {
         let edge = self.search.edge(&refined).ok_or_else(|| reached.clone())?;
         // Unstable as far as the wave of the edge is; stable from a little above it on.
         let spot = edge.spot.clone().ok_or_else(|| reached.clone())?;
-        let nearer =
-            edge.lower > *reached && self.search.is_unstable_between(reached, &edge.lower, &spot);
+        let nearer = self.search.is_unstable_between(reached, &edge.lower, &spot);
         let lower = if nearer { edge.lower } else { reached.clone() };
         let bits = i64::from(self.search.bits);
         let beyond = |upper: &Rational, width| upper * (integer(1) + power_of_two(6 - width));

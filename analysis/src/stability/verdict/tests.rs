@@ -31,6 +31,9 @@ fn the_limit_itself_is_marginal_and_a_hair_above_is_unstable() {
     let shift = text(UPWIND, "1");
     assert_eq!((shift.verdict, shift.monotone), (Verdict::Marginal, Some(true)));
     assert_eq!((shift.growth.per_step, shift.steps_to_double), (0.0, None));
+    // With 1 − (1 − C)²/4 in place of C an exact shift too, and no limit.
+    let inside = "u[n+1,j] = u[n,j] - (1 - (1 - C)^2/4)*(u[n,j] - u[n,j-1])";
+    assert_eq!(text(inside, "1").verdict, Verdict::Stable);
     let godunov = subject("godunov-sph", "", Kernel::CubicSpline, integer(2));
     assert_eq!(judge(&godunov, "15/8").verdict, Verdict::Marginal);
     assert_eq!(judge(&godunov, "1.8").verdict, Verdict::Stable);
@@ -286,6 +289,15 @@ fn strict_demands_hold_nearby_whatever_the_search_leaves_open() {
     let (stable, marginal) = (Verdict::Stable, Verdict::Marginal);
     assert_eq!(["0.9", "1", "1.2"].map(verdict), [stable, marginal, stable]);
     assert!(stable.is_stable() && marginal.is_stable() && !Verdict::Undecided.is_stable());
+    // With little work no more is said of a value than of the set: 3 is unstable.
+    let little = |budget: usize, value: i64| {
+        let plan = SearchPlan { budget, ..plan.clone() };
+        check(&step, "C", &ratio(value, 10), &plan).unwrap()
+    };
+    let verdicts = [99, 100].map(|budget| [9, 30].map(|value| little(budget, value).verdict));
+    assert_eq!(verdicts, [[Verdict::Undecided; 2], [stable, Verdict::Unstable]]);
+    let open = little(99, 30);
+    assert!(open.growth.per_step > 0.0 && open.steps_to_double.is_none());
 }
 
 #[test]

@@ -58,6 +58,12 @@ fn roots_are_looked_for_near_the_guess_and_within_the_range() {
 
 #[test]
 fn a_root_of_a_line_is_exact_however_long_and_of_a_constant_there_is_none() {
+    // (3^50 − 2^79 t)(1 + t): as long as an enclosure that is no narrower than asked for would not tell.
+    let (a, b) = (BigInt::from(3).pow(50), BigInt::from(2).pow(79));
+    let value = Rational::new(a.clone(), b.clone());
+    let coefficients = vec![a.clone(), &a - &b, -b];
+    let root = fraction_or_root(coefficients, to_f64(&value), &integer(0), &integer(2), 60);
+    assert_eq!(root.unwrap().exact(), Some(&value));
     let (above, below) = (BigInt::from(3).pow(150), BigInt::from(2).pow(238));
     let value = Rational::new(above.clone(), below.clone());
     let of =
@@ -70,12 +76,16 @@ fn a_root_of_a_line_is_exact_however_long_and_of_a_constant_there_is_none() {
 #[test]
 fn an_end_is_named_as_a_root_where_it_is_the_only_one() {
     // (t − 1)(t − 2)(t − 3) and s beside it.
-    let margin = exact(&[&[-6, 1], &[11], &[-6], &[1]]);
-    let named = |upper: i64| {
-        let edge = Edge { lower: ratio(1, 2), upper: ratio(upper, 2), s: integer(0) };
-        search(&margin, 4).root_of_an_end(&edge).is_some()
+    let powers: &[&[i64]] = &[&[-6, 1], &[11], &[-6], &[1]];
+    let named = |margin: &Margin, upper: i64, s: Rational| {
+        let edge = Edge { lower: ratio(1, 2), upper: ratio(upper, 2), s };
+        search(margin, 4).root_of_an_end(&edge).is_some()
     };
-    assert_eq!([named(3), named(7)], [true, false]);
+    let sharp = exact(powers);
+    assert_eq!([named(&sharp, 3, integer(0)), named(&sharp, 7, integer(0))], [true, false]);
+    // Nor where a wave is known to some digits, or the data are.
+    assert!(!named(&sharp, 3, ratio(1, 1024)));
+    assert!(!named(&margin(powers, &ratio(1, 1 << 40)), 3, integer(0)));
 }
 
 #[test]

@@ -42,6 +42,10 @@ fn what_is_left_open_is_a_sliver_or_all_of_the_rest() {
     let [(lower, upper)] = set.undecided[..] else { panic!("{set:?}") };
     assert!(2.0 - 1e-12 < lower && lower <= 2.0 && upper == 3.5, "{set:?}");
     assert_eq!(set.intervals.len(), 1, "{set:?}");
+    // 2 (t − 3)² − 1 within 2: certainly stable again at the end of the range, and nobody knows since when.
+    let set = run(&margin(&[&[17], &[-12], &[2]], &integer(2)), integer(5), DEFAULT_BITS);
+    let open = set.undecided.iter().map(|open| open.1).collect::<Vec<_>>();
+    assert_eq!((set.intervals.len(), &open[..]), (1, &[5.0][..]), "{set:?}");
 }
 
 #[test]

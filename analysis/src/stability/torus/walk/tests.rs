@@ -1,6 +1,6 @@
 use super::super::{Cell, TorusInequality, Turn};
 use super::*;
-use crate::exact::rational::ratio;
+use crate::exact::rational::{parse, ratio};
 use crate::exact::tensor::{Origin, Tensor};
 use crate::stability::{Binding, Condition};
 use std::f64::consts::PI;
@@ -110,6 +110,10 @@ fn what_is_known_needs_no_proof() {
     let root = found(vec![alike(&[2, 0, -1])], 1, &to_five()).limit();
     let again = found(vec![alike(&[2, 0, -1])], 1, &to_five().knowing(&root)).limit();
     assert_eq!((again.lower(), again.evidence()), (root.lower(), Evidence::Proved));
+    let near = parse("1.41421356237309504880").unwrap();
+    let plan = SearchPlan { known: near.clone(), ..to_five() };
+    let nearer = found(vec![alike(&[2, 0, -1])], 1, &plan).limit();
+    assert_eq!((nearer.certain_lower(), nearer.evidence()), (near, Evidence::Proved));
     // Unstable at once, with the wave and the condition.
     let set = found(vec![alike(&[1]), demand(&[([1, 0], -1)])], 1, &to_five());
     assert!(set.immediately_unstable.unwrap().phases()[0] > 0.0);
