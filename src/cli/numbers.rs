@@ -49,10 +49,16 @@ pub fn list(text: &str) -> Result<Numbers, String> {
     list_read(text, number, &integer(0))
 }
 
-/// The same of angles in radians, where `pi/8` stands for its nearest floating-point number.
+/// The same of angles in radians, where `pi/8`, `3pi/4` or `0.5*pi` stand for their nearest floating-point number.
 pub fn angles(text: &str) -> Result<Numbers, String> {
     let angle = |one: &str| {
-        number(one).or_else(|problem| approximate(one.trim()).and_then(from_f64).ok_or(problem))
+        // A factor before π needs no sign.
+        let factor = one.find("pi").filter(|&pi| one[..pi].ends_with(|c: char| c.is_ascii_digit()));
+        let product = factor.map(|pi| format!("{}*{}", &one[..pi], &one[pi..]));
+        let multiple = approximate(product.as_deref().unwrap_or(one).trim()).and_then(from_f64);
+        number(one).or_else(|problem| {
+            multiple.ok_or(format!("{problem}, or a multiple of pi such as 3pi/4"))
+        })
     };
     // The last of a range of multiples of π may lie a rounding beyond its end.
     list_read(text, angle, &ratio(1, 1_000_000_000))
@@ -325,7 +331,8 @@ mod tests {
             (angles("0:pi:pi/10").unwrap().0.len(), angles("1,3/2").unwrap().0.len()),
             (11, 2)
         );
-        assert!(angles("1,px/2").unwrap_err().contains("px"));
+        assert_eq!(angles("3pi/4").unwrap().0, angles("0.75*pi").unwrap().0);
+        assert!(angles("1,px/2").unwrap_err().contains("px") && angles("3ppi").is_err());
         let read = |name: &str| Ok(name.len());
         assert_eq!(names("a,bb,c", read).unwrap().0, [1, 2]);
     }
