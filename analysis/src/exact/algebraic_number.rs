@@ -186,6 +186,15 @@ mod tests {
     }
 
     #[test]
+    fn a_number_is_the_root_in_its_interval_wherever_newtons_method_ends() {
+        // (t − 5)(t − 18)(t − 28): from the middle of this interval it ends at 28.
+        let three = polynomial(&[-2520, 734, -51, 1]);
+        let number = AlgebraicNumber::between(three, ratio(19, 4), ratio(143, 8)).unwrap();
+        let (lower, upper) = number.enclosure(60);
+        assert!(lower <= integer(5) && integer(5) <= upper && upper < integer(6));
+    }
+
+    #[test]
     fn a_polynomial_without_change_of_sign_defines_nothing() {
         assert_eq!(AlgebraicNumber::between(polynomial(&[-2, 0, 1]), integer(2), integer(3)), None);
         assert_eq!(AlgebraicNumber::between(polynomial(&[0, 1]), integer(-1), integer(1)), None);
