@@ -54,9 +54,7 @@ impl Zeros {
     pub(crate) fn enclosed(&self, bits: u32) -> Vec<(Rational, Rational)> {
         let enclosed = |(lower, upper): &(Rational, Rational)| {
             let (lower, upper) = (lower.clone(), upper.clone());
-            if lower == upper {
-                return (lower, upper);
-            }
+            // One that was met as a middle changes no sign.
             match AlgebraicNumber::between(self.simple.clone(), lower.clone(), upper.clone()) {
                 Some(number) => number.enclosure(bits),
                 None => (lower, upper),
