@@ -187,11 +187,11 @@ mod tests {
 
     #[test]
     fn a_number_is_the_root_in_its_interval_wherever_newtons_method_ends() {
-        // (t − 5)(t − 18)(t − 28): from the middle of this interval it ends at 28.
-        let three = polynomial(&[-2520, 734, -51, 1]);
-        let number = AlgebraicNumber::between(three, ratio(19, 4), ratio(143, 8)).unwrap();
+        // (t − 1)(t − 6)(t − 17): from 11, the middle of this interval, it goes to 7/2 and 17.
+        let three = polynomial(&[-102, 125, -24, 1]);
+        let number = AlgebraicNumber::between(three, ratio(11, 2), ratio(33, 2)).unwrap();
         let (lower, upper) = number.enclosure(60);
-        assert!(lower <= integer(5) && integer(5) <= upper && upper < integer(6));
+        assert!(lower <= integer(6) && integer(6) <= upper && upper < integer(7));
     }
 
     #[test]
