@@ -186,6 +186,15 @@ mod tests {
     }
 
     #[test]
+    fn a_number_is_the_root_in_its_interval_wherever_newtons_method_ends() {
+        // (t − 1)(t − 6)(t − 17): from 11, the middle of this interval, it goes to 7/2 and 17.
+        let three = polynomial(&[-102, 125, -24, 1]);
+        let number = AlgebraicNumber::between(three, ratio(11, 2), ratio(33, 2)).unwrap();
+        let (lower, upper) = number.enclosure(60);
+        assert!(lower <= integer(6) && integer(6) <= upper && upper < integer(7));
+    }
+
+    #[test]
     fn a_polynomial_without_change_of_sign_defines_nothing() {
         assert_eq!(AlgebraicNumber::between(polynomial(&[-2, 0, 1]), integer(2), integer(3)), None);
         assert_eq!(AlgebraicNumber::between(polynomial(&[0, 1]), integer(-1), integer(1)), None);

@@ -54,9 +54,7 @@ impl Zeros {
     pub(crate) fn enclosed(&self, bits: u32) -> Vec<(Rational, Rational)> {
         let enclosed = |(lower, upper): &(Rational, Rational)| {
             let (lower, upper) = (lower.clone(), upper.clone());
-            if lower == upper {
-                return (lower, upper);
-            }
+            // One that was met as a middle changes no sign.
             match AlgebraicNumber::between(self.simple.clone(), lower.clone(), upper.clone()) {
                 Some(number) => number.enclosure(bits),
                 None => (lower, upper),
@@ -137,7 +135,18 @@ mod tests {
             let negative = (0..=24).any(|i| value(i) < integer(0));
             let point = zeros.negative_point();
             prop_assert_eq!(point.is_some(), negative);
+            for i in 0..=24 {
+                prop_assert_eq!(zeros.is_negative_at(&ratio(i, 24)), value(i) < integer(0));
+            }
             prop_assert!(point.is_none_or(|point| exact.evaluate(&point) < integer(0)));
         }
+    }
+
+    #[test]
+    fn between_a_zero_at_the_end_and_the_next_there_is_a_point() {
+        // s (12s − 7)³
+        let root = Polynomial::new(vec![(-7).into(), 12.into()]).pow(3);
+        let zeros = Zeros::of(&(Polynomial::new(vec![0.into(), 1.into()]) * root));
+        assert!(zeros.negative_point().is_some_and(|point| point < ratio(7, 12)));
     }
 }

@@ -303,6 +303,8 @@ mod tests {
         let open = about_one.scaled(&100.into()) - Laurent::integer(101);
         let rising =
             (Laurent::integer(2) - cosine.clone()).scaled(&2.into()) + open.clone() - one();
+        let falling =
+            (Laurent::integer(2) + cosine.clone()).scaled(&2.into()) + open.clone() - one();
         // What a factor leaves of 1 − C at 1/2 and 2, and whether no step helps.
         for (factor, expected, whatever_the_step) in [
             (two.clone(), "+-", false),
@@ -319,6 +321,8 @@ mod tests {
             // At most 0 for the longest wave and perhaps 0 there, positive for the shortest; and its negative.
             (rising.clone(), "?-", false),
             (-rising, "-?", false),
+            (falling.clone(), "?-", false),
+            (-falling, "-?", false),
             (cosine.clone() + Laurent::integer(3), "+-", false),
             (cosine.clone() - Laurent::integer(3), "-+", false),
         ] {

@@ -196,3 +196,16 @@ fn what_lies_across_a_blow_up_and_is_not_joined_to_it_is_cut_off() {
     assert_eq!(point, [ratio(1, 6), ratio(1, 3), ratio(1, 5)]);
     assert_eq!(chart(inner, vec![0, 2], 0).charts(), 2);
 }
+
+#[test]
+fn a_negative_corner_is_a_point_at_once_also_in_a_chart() {
+    let found = |degrees: [usize; 2], terms: &[([usize; 2], i64)]| {
+        sign_on_cube(&Tensor::new(degrees.to_vec(), terms.iter().copied()), 100)
+    };
+    // 2x − 1; and x² − 3xy + y² + 8x²y², which is negative next to the corner 0 along the diagonal alone.
+    let (sign, work) = found([1, 0], &[([0, 0], -1), ([1, 0], 2)]);
+    assert!(matches!(sign, CubeSign::NegativeAt(point) if point[0] == integer(0)) && work == 1);
+    let terms = [([2, 0], 1), ([1, 1], -3), ([0, 2], 1), ([2, 2], 8)];
+    let (sign, work) = found([2, 2], &terms);
+    assert!(matches!(sign, CubeSign::NegativeAt(_)) && work == 2, "{work}");
+}

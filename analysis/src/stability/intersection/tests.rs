@@ -79,6 +79,9 @@ fn what_another_condition_leaves_open_beyond_the_end_is_not_asked() {
     for (offset, open) in [(3, false), (-1, true)] {
         let open_at = margin(&[&[unit + offset, unit], &[-unit]], &integer(2));
         let second = inequality(MinusOne, open_at);
+        // Stable at first, whatever is open later.
+        let alone = search_within(&second.margin, &integer(1), &integer(0), &plan(52));
+        assert!(alone.immediately_unstable.is_none() && !alone.intervals.is_empty());
         let set = intersection(&[first.clone(), second], &plan(52));
         let to = &set.intervals[0].to;
         assert_eq!(set.evidence, Evidence::Enclosed);

@@ -270,6 +270,8 @@ mod tests {
         let Stretch::Ends(edge) = search.bisect(&integer(0), at(4)) else { panic!() };
         assert!(edge.lower <= integer(3) - &width && edge.upper >= integer(3) + &width);
         // Nothing ends before where it begins.
+        let width = ratio(1, 1 << 40);
+        let blurred = margin(&[&[3 << 40], &[-(1 << 40)]], &integer(1));
         let from = integer(3) - &width;
         let found = Search::new(&blurred, &integer(4), DEFAULT_BITS).stable_stretch(&from);
         let Stretch::Ends(edge) = found else { panic!() };

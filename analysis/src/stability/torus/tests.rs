@@ -245,6 +245,7 @@ fn a_factor_of_the_waves_alone_has_the_sign_that_it_has_for_all_of_them() {
         (four_s(0), ['+', '-'], false),
         (-four_s(0), ['-', '+'], false),
         (four_s(0) + four_s(1), ['+', '-'], false),
+        (Laurent::integer(4) + cosine(0) + cosine(1), ['+', '-'], false),
         // Neither: some wave is unstable whatever the parameter.
         (cosine(0), ['-', '-'], true),
         (touching.clone(), ['?', '-'], false),

@@ -132,6 +132,11 @@ fn what_is_known_needs_no_proof() {
     let plan = to_five();
     let mut walk = Walk::new(&line, &plan);
     let sample = Spot { inequality: 0, cell: 0, point: vec![0.0] };
+    // An edge below what is known to be stable is none.
+    let edge = || Edge { lower: integer(1), upper: ratio(1_000_001, 1_000_000), spot: None };
+    let closed = walk.closed(&integer(1), edge()).ok();
+    assert_eq!(closed.map(|edge| edge.lower), Some(integer(1)));
+    assert!(walk.closed(&integer(2), edge()).is_err());
     let grows = [0, 1].map(|from| walk.unstable_near(&integer(from), &sample).is_some());
     assert_eq!(grows, [false, true]);
     // Conditions that say nothing leave everything neutral.
