@@ -186,6 +186,13 @@ mod tests {
     }
 
     #[test]
+    fn a_double_eigenvalue_is_found_to_half_the_digits() {
+        let one = Complex64::new(1.0, 0.0);
+        let found = eigenvalues(&[vec![2.0 * one, -one], vec![one, 0.0 * one]]);
+        assert!(found.iter().all(|z| (z - one).norm() < 1e-7), "{found:?}");
+    }
+
+    #[test]
     fn a_shift_of_levels_has_zeros_and_what_is_no_number_stays_so() {
         let (zero, one) = (Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0));
         let nilpotent = [vec![zero, one, zero], vec![zero, zero, one], vec![zero, zero, zero]];

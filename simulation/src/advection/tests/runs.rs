@@ -153,6 +153,18 @@ fn orders_of_convergence() {
 }
 
 #[test]
+fn a_run_without_end_does_not_start() {
+    let mut plan =
+        plan(AdvectionScheme::GodunovSph, named("advection-square"), 10, Layout::Lattice);
+    plan.scene.end_time = 1e300;
+    let error = run(&plan).unwrap_err();
+    // Ten particles at the plan's Courant number.
+    let PlanError::Steps(steps) = error else { panic!("{error}") };
+    assert!((steps * plan.method.courant_number / 1e301 - 1.0).abs() < 1e-12);
+    assert!(error.to_string().contains("e301 steps"), "{error}");
+}
+
+#[test]
 fn steps_divide_the_way_evenly() {
     for (courant_number, steps) in [(0.1, 2000), (0.3, 667), (1.9, 106), (200.0, 1), (500.0, 1)] {
         let mut plan = plan(AdvectionScheme::GodunovSph, step(), 200, Layout::Lattice);

@@ -224,6 +224,18 @@ fn failures_are_results() {
     assert!(Method::Particles(options).run(&scene, 100).is_err());
 }
 
+#[test]
+fn one_block_level_is_the_global_step() {
+    let global = run("sod-sph", ParticleMethod::Gph3, |_| {});
+    let block = run("sod-sph", ParticleMethod::Gph3, |options| {
+        options.sharing = StepSharing::Block { levels: 0 };
+    });
+    for (a, b) in global.profile.velocity.iter().zip(&block.profile.velocity) {
+        assert!((a - b).abs() < 1e-12);
+    }
+    assert_eq!(global.steps, block.steps);
+}
+
 /// Adaptive SPH with `k = 0.7`, `ε = 1/2`: the smoothing length over the spacing follows the density, like `(ρ/g)^(1/2)`, so
 /// that the kernel sums of a rarefied gas are off by the same amount at any resolution. With `k = ε = 1` it is 2 everywhere,
 /// the sums are exact, and the error falls.
