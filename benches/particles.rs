@@ -147,22 +147,16 @@ fn forces<const D: usize>(c: &mut Criterion<BusiestThread>) {
     let gas = IdealGas::new(1.4).expect("gamma > 1");
     let cubic = Kernel::CubicSpline;
     let solver = VanLeer { gas, stopping: Stopping::Published };
-    measure::<D, _>(c, "gph1", gas, cubic, &Godunov { weight: SumOfSquares, solver });
-    measure::<D, _>(c, "gph2", gas, cubic, &Godunov { weight: Product, solver });
-    measure::<D, _>(c, "gph3", gas, cubic, &Godunov { weight: OwnKernels, solver });
-    let exact = Godunov { weight: OwnKernels, solver: ExactIdeal(gas) };
+    measure::<D, _>(c, "gph1", gas, cubic, &Godunov::new(SumOfSquares, solver));
+    measure::<D, _>(c, "gph2", gas, cubic, &Godunov::new(Product, solver));
+    measure::<D, _>(c, "gph3", gas, cubic, &Godunov::new(OwnKernels, solver));
+    let exact = Godunov::new(OwnKernels, ExactIdeal(gas));
     measure::<D, _>(c, "gph3-exact", gas, cubic, &exact);
-    let case4 = Godunov { weight: Convolution, solver };
+    let case4 = Godunov::new(Convolution, solver);
     measure::<D, _>(c, "gph4", gas, Kernel::Gaussian, &case4);
     let isothermal = IsothermalGas { sound_speed: 1.0 };
     let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::AsShock };
-    measure::<D, _>(
-        c,
-        "gph3-isothermal",
-        isothermal,
-        cubic,
-        &Godunov { weight: OwnKernels, solver },
-    );
+    measure::<D, _>(c, "gph3-isothermal", isothermal, cubic, &Godunov::new(OwnKernels, solver));
     let viscosity = Viscosity::STANDARD;
     measure::<D, _>(c, "sph1", gas, cubic, &Smoothed { form: PressureForm::Sum, viscosity });
     measure::<D, _>(c, "sph2", gas, cubic, &Smoothed { form: PressureForm::Geometric, viscosity });

@@ -88,6 +88,7 @@ pub fn describe_particles(
     record.set("integrator", options.integrator.name.as_str());
     if options.method.is_godunov() {
         record.set("riemann", options.solver.name());
+        record.set("pair_work", options.pair_work.name());
     } else {
         record.set("alpha", options.viscosity.alpha);
         record.set("beta", options.viscosity.beta);

@@ -4,7 +4,7 @@ use crate::finite_volume::{FiniteVolumeOptions, Grid};
 use crate::lagrangian::flux::{Flux, ModifiedRoe};
 use crate::lagrangian::{LagrangianOptions, LagrangianScheme};
 use crate::march::Limits;
-use crate::particles::{self, MethodOptions, ParticleMethod};
+use crate::particles::{self, MethodOptions, PairWork, ParticleMethod};
 use crate::run::{InvalidOptions, Lined, Reason, Run};
 use crate::scene::{Material, Scene};
 use std::ops::ControlFlow;
@@ -111,6 +111,21 @@ impl Method {
                 Some(
                     "SPH takes half of the work of parting neighbours from the colder one; a smaller --ratio or \
                       --method gph3 helps",
+                )
+            }
+            (Self::Particles(options), Reason::InternalEnergy { .. })
+                if options.pair_work == PairWork::Mean =>
+            {
+                Some(
+                    "parting neighbours take half of their work from the colder one; --pair-work shared helps",
+                )
+            }
+            (Self::Particles(options), Reason::TimeStep { .. })
+                if options.pair_work == PairWork::Star =>
+            {
+                Some(
+                    "where gravity holds a pressure, --pair-work star lets heat flow down its slope until the densest gas \
+                      collapses; --pair-work shared helps",
                 )
             }
             (Self::Particles(_), Reason::SmoothingLength { .. }) => {

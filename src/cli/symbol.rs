@@ -150,7 +150,7 @@ fn text(answer: &Symbol, format: Format) -> String {
         let what = match &letter.kind {
             LetterKind::Versines => "Σ_k c_k (1 - cos kφ)/s, s = (1 - cos φ)/2",
             LetterKind::Sines => "Σ_k c_k sin kφ/sin φ",
-            LetterKind::Constant => "a number within a radius",
+            LetterKind::Constant | LetterKind::Quotient => "a number within a radius",
             LetterKind::SquareRoot(_) => continue,
         };
         lines.push(format!("{} stands for {what}", letter.name));

@@ -81,6 +81,8 @@ fn what_a_method_leaves_open_is_an_option() {
         ("gph1", "--riemann", "exact", "published"),
         ("gph3", "--integrator", "rk2-heun", "centred-euler"),
         ("gph1", "--work", "published", "centred"),
+        ("gph3", "--pair-work", "shared", "star"),
+        ("gph1", "--pair-work", "star", "mean"),
     ] {
         assert_ne!(error(method, &[option, value]), error(method, &[]), "{method} {option}");
         assert_eq!(error(method, &[option, usual]), error(method, &[]), "{method} {option}");

@@ -35,6 +35,8 @@ pub struct Letter {
 pub enum LetterKind {
     /// A number within a radius.
     Constant,
+    /// One over a polynomial in other letters.
+    Quotient,
     /// The square root of a fraction: its square is this.
     SquareRoot(Rational),
     /// `Σ_k c_k (1 − cos kφ)/s` over the lattice, `s = (1 − cos φ)/2`.
@@ -112,6 +114,23 @@ impl Names {
         }
         self.0.push(name);
         Ok(Variable::name(self.0.len() - 1))
+    }
+
+    /// Whether no polynomial in the irrational numbers vanishes but for what [`reduce`](Self::reduce) knows: square roots of which no
+    /// product is a fraction, and no quotients. Numbers of a kernel are any within their radius.
+    pub(crate) fn are_independent(&self) -> bool {
+        let mut products = vec![Rational::one()];
+        for (_, letter) in self.letters() {
+            match &letter.kind {
+                LetterKind::Quotient => return false,
+                LetterKind::SquareRoot(square) => {
+                    products.extend(products.clone().iter().map(|product| product * square));
+                }
+                LetterKind::Constant | LetterKind::Versines | LetterKind::Sines => {}
+            }
+        }
+        let is_square = |value: &BigInt| value.sqrt().pow(2) == *value;
+        !products[1..].iter().any(|one| is_square(one.numer()) && is_square(one.denom()))
     }
 
     /// Squares of square roots replaced by what they are the roots of, times a positive integer.

@@ -271,7 +271,7 @@ impl Step {
             return Err(SchemeError::Cancelled);
         }
         if conditions.nowhere {
-            return Ok(Demands::Nowhere(1));
+            return Ok(self.nowhere());
         }
         if conditions.undecided {
             return Ok(Demands::Unknown);
@@ -285,6 +285,14 @@ impl Step {
             return self.expanded().inequalities_in(variable, growth, interest);
         }
         Ok(Demands::All(inequalities))
+    }
+
+    /// Unstable whatever the parameters, as polynomials in the irrational numbers say: `√8 − 2√2` is no zero to them.
+    fn nowhere(&self) -> Demands {
+        match self.names.are_independent() {
+            true => Demands::Nowhere(self.dimension),
+            false => Demands::Unknown,
+        }
     }
 
     /// What a scheme asks for, on unit cubes of waves.
@@ -306,7 +314,7 @@ impl Step {
                 let conditions =
                     Conditions::while_wanted(characteristic, growth, &self.names, interest);
                 if conditions.nowhere {
-                    return Demands::Nowhere(self.dimension);
+                    return self.nowhere();
                 }
                 if conditions.undecided {
                     return Demands::Unknown;

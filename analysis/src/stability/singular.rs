@@ -1,7 +1,7 @@
 //! Where an implicit step cannot be solved: the coefficient of the newest level vanishes for some wave.
 
 use super::inequality::margin_of;
-use super::{SearchPlan, Wave, search_within};
+use super::{Evidence, SearchPlan, Wave, search_within};
 use crate::exact::laurent::{Exponents, Laurent, Variable, common_divisor};
 use crate::exact::polynomial::Polynomial;
 use crate::exact::rational::{Rational, integer, simplest_between, to_f64, to_text};
@@ -77,6 +77,7 @@ impl Step {
             let positive = search_within(&margin, &plan.max, &integer(0), plan);
             let limit = positive.limit();
             if limit.upper().is_finite()
+                && limit.evidence() != Evidence::Undecided
                 && found.iter().all(|known| known.value > limit.value() * (1.0 + 1e-9))
             {
                 let exact = limit.exact().and_then(|exact| exact.as_fraction().cloned());

@@ -86,6 +86,23 @@ fn a_limit_that_floating_point_sees_in_the_fourth_digit_only() {
     assert!(matches!(decide(ratio(353_553_390_594, 1_000_000_000_000)), Unstable(_)));
 }
 
+/// `g(π, 0) = 1 − 4C`: `|g| ≤ 1 + ε` up to `C = 1/2 + ε/4`.
+#[test]
+fn a_small_budget_for_growth_has_its_exact_limit_and_wave() {
+    let step = Step::from_text(
+        "u[n+1,i,j] = u[n,i,j] - C*(u[n,i,j] - u[n,i-1,j]) - C*(u[n,i,j] - u[n,i-1,j-1])",
+    )
+    .unwrap();
+    for power in [3, 8, 9] {
+        let growth = ratio(1, 10_i64.pow(power));
+        let plan = SearchPlan::default().growing(growth.clone());
+        let limit = step.stable_set("C", &plan).unwrap().limit();
+        let exact = ratio(1, 2) + growth / ratio(4, 1);
+        assert_eq!(limit.exact().and_then(|value| value.as_fraction().cloned()), Some(exact));
+        assert_eq!(limit.critical_wave().unwrap().phases(), [PI, 0.0]);
+    }
+}
+
 #[test]
 fn budgets_for_growth_and_windows() {
     let donor = "u[n+1,i,j] = u[n,i,j] - C*(u[n,i,j] - u[n,i-1,j]) - C*(u[n,i,j] - u[n,i,j-1])";

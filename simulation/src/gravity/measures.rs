@@ -5,21 +5,24 @@ use super::run::{CloudRun, Snapshot};
 use crate::particles::dot;
 use std::collections::BTreeMap;
 
-/// The head of the infall at a time.
+/// The expansion wave at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Head {
     /// The time simulated.
     pub time: f64,
-    /// Where the mean infall of a shell falls below [`HEAD_SPEED`].
-    pub radius: f64,
-    /// The same of the exact solution.
-    pub exact: f64,
+    /// The factor by which the radii of the exact solution are multiplied to fit the radial velocities best, by least squares over [`WAVE`].
+    ///
+    /// The place where the mean infall is some small part of `c` would measure the motion of the gas there instead: it moves by
+    /// `δ/|du/dr| ≈ δ t` where all moves by `δ`. The fit moves as far if all moves alike, but a swing is lost in the mean.
+    pub stretch: f64,
+    /// Mean radial velocity before the wave, for `1 < r/(c t) < 1.2`, in sound speeds. Exact: 0.
+    pub before: f64,
     /// Root mean square of the radial velocities about those of their shells, in sound speeds, for `0.8 < r/(c t) < 1.2`.
     pub scatter: f64,
 }
 
-/// Infall that counts as arrived, in sound speeds: well above the noise, and only a tenth of the way behind the head.
-pub const HEAD_SPEED: f64 = 0.1;
+/// Where velocities are fitted, in `r/(c t)`: the infall reaches 0.73 c.
+pub const WAVE: [f64; 2] = [0.5, 1.2];
 /// When the head is looked at, in collapse times: well away from the sink and from the edge.
 const HEAD_TIME: f64 = 0.3;
 /// The accretion rate is that between these, in collapse times.
@@ -39,43 +42,68 @@ impl Cloud {
     }
 
     pub(super) fn head(&self, snapshot: &Snapshot) -> Option<Head> {
-        let (sound, since) = (self.sound_speed()?, snapshot.time + self.wave_start()?);
-        let mut all = snapshot.radial();
+        let sound = self.sound_speed()?;
+        let reach = sound * (snapshot.time + self.wave_start()?);
+        let mut all: Vec<_> =
+            snapshot.radial().into_iter().map(|[r, u, _]| [r / reach, u / sound]).collect();
         all.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let shells: Vec<_> = all.chunks(all.len().div_ceil(SHELLS).max(1)).map(Shell::of).collect();
-        let inside = shells.windows(2).find(|pair| pair[1].velocity > -HEAD_SPEED * sound)?;
-        let [near, far] = [&inside[0], &inside[1]];
-        let part = (-HEAD_SPEED * sound - near.velocity) / (far.velocity - near.velocity);
-        let about = |shell: &&Shell| (0.8..1.2).contains(&(shell.radius / (sound * since)));
+        let between = |from: f64, to: f64| {
+            let place = |x: f64| all.partition_point(|one| one[0] < x);
+            &all[place(from)..place(to)]
+        };
+        let (fitted, before) = (between(WAVE[0], WAVE[1]), between(1.0, WAVE[1]));
+        let wave = super::ExpansionWave::solution();
+        let misfit = |stretch: f64| -> f64 {
+            fitted.iter().map(|[x, u]| (u - wave.at(x / stretch).velocity).powi(2)).sum()
+        };
+        let shells = all.chunks(all.len().div_ceil(SHELLS).max(1)).map(Shell::of);
         let (squares, count) = shells
-            .iter()
-            .filter(about)
+            .filter(|shell| (0.8..1.2).contains(&shell.radius))
             .fold((0.0, 0), |(sum, count), shell| (sum + shell.squares, count + shell.count));
-        Some(Head {
+        (!before.is_empty()).then(|| Head {
             time: snapshot.time,
-            radius: near.radius + part.clamp(0.0, 1.0) * (far.radius - near.radius),
-            exact: sound * since * super::ExpansionWave::solution().infall(HEAD_SPEED),
-            scatter: (squares / count.max(1) as f64).sqrt() / sound,
+            stretch: least(misfit, [0.5, 1.5]),
+            before: before.iter().map(|one| one[1]).sum::<f64>() / before.len() as f64,
+            scatter: (squares / count.max(1) as f64).sqrt(),
         })
     }
+}
+
+/// Where a function is least: of some values at equal distances, then between the neighbours of the least by the golden section.
+fn least(function: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+    const VALUES: u32 = 40;
+    let width = (to - from) / f64::from(VALUES);
+    let at = |k: u32| from + f64::from(k) * width;
+    let best = (0..=VALUES).map(at).min_by(|a, b| function(*a).total_cmp(&function(*b)));
+    let best = best.expect("there are some");
+    let (mut low, mut high) = (best - width, best + width);
+    let golden = 0.5 * (5_f64.sqrt() - 1.0);
+    while high - low > 1e-6 {
+        let part = golden * (high - low);
+        if function(high - part) < function(low + part) {
+            high = low + part
+        } else {
+            low = high - part
+        }
+    }
+    0.5 * (low + high)
 }
 
 /// Particles of about one radius.
 struct Shell {
     radius: f64,
-    velocity: f64,
     /// `Σ (u − ū)²`.
     squares: f64,
     count: usize,
 }
 
 impl Shell {
-    fn of(members: &[[f64; 3]]) -> Self {
+    fn of(members: &[[f64; 2]]) -> Self {
         let count = members.len() as f64;
         let mean = |axis: usize| members.iter().map(|one| one[axis]).sum::<f64>() / count;
         let velocity = mean(1);
         let squares = members.iter().map(|one| (one[1] - velocity).powi(2)).sum();
-        Self { radius: mean(0), velocity, squares, count: members.len() }
+        Self { radius: mean(0), squares, count: members.len() }
     }
 }
 
@@ -119,6 +147,7 @@ impl CloudRun {
             measures.extend(value.filter(|value| value.is_finite()).map(|value| (name, value)));
         };
         add("energy", self.run.conservation.energy.map(f64::abs));
+        add("least_entropy", self.least_entropy);
         let last = self.snapshots.last();
         match cloud.known {
             Some(Known::ExpansionWave) => {
@@ -133,10 +162,8 @@ impl CloudRun {
                     core.zip(exact).map(|(core, e)| (core[1] / e.mass - 1.0).abs()),
                 );
                 add("accretion_rate", self.accretion_rate(cloud));
-                add(
-                    "head_position_error",
-                    self.head.map(|head| (head.radius / head.exact - 1.0).abs()),
-                );
+                add("wave_position_error", self.head.map(|head| (head.stretch - 1.0).abs()));
+                add("motion_before_wave", self.head.map(|head| head.before));
                 add("head_scatter", self.head.map(|head| head.scatter));
             }
             Some(Known::Static) => {

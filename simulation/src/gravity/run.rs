@@ -8,7 +8,7 @@ use super::sphere::{ball, relax};
 use crate::boundary::Boundary;
 use crate::march::{Limits, march};
 use crate::particles::{
-    Domain, Gas, Integrator, MethodOptions, PairLoops, ParticleEvolution, ParticleSystem,
+    Domain, Gas, Integrator, MethodOptions, PairLoops, PairWork, ParticleEvolution, ParticleSystem,
     Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
     plus_scaled, table,
 };
@@ -62,6 +62,9 @@ pub struct CloudRun {
     pub core: Vec<[f64; 2]>,
     /// Energies at the start, at the end, and, where there is an energy equation, about [`SAMPLES`] times between.
     pub energies: Vec<Energies>,
+    /// The least that the entropy `P/ρ^γ` of a particle has been, where energies were summed up, over its own at the start, where there is an
+    /// energy equation and no sink: no gas falls below one.
+    pub least_entropy: Option<f64>,
     /// The gas at the times asked for, and at the end.
     pub snapshots: Vec<Snapshot>,
     /// The head of the wave, if the run came to it.
@@ -96,13 +99,17 @@ pub fn run_cloud(
 
 /// The options of a method with what is customary for a cloud: about 50 neighbours, 0.4 of the crossing time, and for an
 /// isothermal gas block steps of at most eight halvings. A gas that heats up as its centre collapses shares one
-/// step: blocks cannot follow a bounce that begins inside them. Both are first order in time, the paper's SPH is of second.
+/// step: blocks cannot follow a bounce that begins inside them. Pairs that would work at `v*` share their heat. Both steps are first order in time, the paper's SPH is of second.
 pub fn cloud_options(cloud: &Cloud, mut options: MethodOptions) -> MethodOptions {
     let levels = if cloud.sound_speed().is_some() { 8 } else { 0 };
     options.eta = 1.145;
     options.sharing = StepSharing::Block { levels };
     options.integrator = Integrator::named("centred-euler").expect("it is in the catalogue");
     options.courant = 0.4;
+    if options.pair_work == PairWork::Star {
+        // It would take the heat from where gravity holds a high pressure.
+        options.pair_work = PairWork::Shared;
+    }
     options
 }
 
@@ -183,6 +190,19 @@ impl Plan<'_> {
         let mut core = Vec::new();
         let mut energies = vec![energies_of(&evolution, 0.0)];
         let has_energy = energies[0].thermal.is_some();
+        let entropy = |state: &Gravitating<G>| -> Option<Vec<f64>> {
+            let (gas, system) = (cloud.material.ideal()?, state.system());
+            let both = system.pressure().iter().zip(system.density());
+            cloud.sink.is_none().then(|| both.map(|(p, d)| p / d.powf(gas.gamma())).collect())
+        };
+        let first_entropy = entropy(&evolution);
+        let mut least_entropy = first_entropy.as_ref().map(|_| 1.0);
+        let mut lower = |state: &Gravitating<G>| {
+            let both = first_entropy.iter().zip(entropy(state));
+            for (first, now) in both.flat_map(|(first, now)| first.iter().zip(now)) {
+                least_entropy = least_entropy.map(|least: f64| least.min(now / first));
+            }
+        };
         let (mut kept, mut head) = (Vec::new(), None);
         let end = cloud.end_time;
         core.extend(evolution.body().sink.map(|sink| [0.0, sink.mass]));
@@ -193,12 +213,14 @@ impl Plan<'_> {
             }
             if has_energy && time >= end / SAMPLES as f64 * energies.len() as f64 {
                 energies.push(energies_of(state, time));
+                lower(state);
             }
             if snapshots.get(kept.len()).is_some_and(|&wanted| time >= wanted) {
                 kept.push(snapshot(state, time));
             }
             observe(time)
         });
+        lower(&evolution);
         kept.push(snapshot(&evolution, march.time));
         energies.push(energies_of(&evolution, march.time));
         let system = evolution.system();
@@ -231,10 +253,17 @@ impl Plan<'_> {
         let mut run =
             Run::after(&march, (), conservation, Promise::Tree, counters, Penetration::default());
         run.warnings.extend(coarse);
+        run.warnings.extend(least_entropy.filter(|least| *least < DRAINED).map(|least| {
+            format!(
+                "the entropy of a particle has fallen to {least:.2} of that at the start, as that of no gas does: its neighbours have \
+                 taken its heat"
+            )
+        }));
         Ok(CloudRun {
             run: run.with_substeps(evolution.substeps()),
             core,
             energies,
+            least_entropy,
             snapshots: kept,
             head,
             angular_momentum: dot(&turning, &turning).sqrt() / unit / cloud.radius.sqrt(),
@@ -242,6 +271,8 @@ impl Plan<'_> {
     }
 }
 
+/// An entropy below this part of that at the start is told.
+const DRAINED: f64 = 0.5;
 /// Smoothing lengths above this part of the radius are told: there the pair force of GPH case 3 is 9 % too large
 /// (`docs/collapse.md`).
 const COARSE: f64 = 0.2;

@@ -92,13 +92,15 @@ pub(super) struct DensitySum<const D: usize> {
     pub rule: Smoothing,
     /// Range of the pair force in units of the kernel's support.
     pub reach: f64,
+    /// The most particles that have kept their smoothing length at once, the gas being too little for any.
+    pub kept: u64,
     mass: Vec<f64>,
     scratch: Vec<Scratch>,
 }
 
 impl<const D: usize> DensitySum<D> {
     pub fn new(kernel: SmoothingKernel<D>, rule: Smoothing, reach: f64) -> Self {
-        Self { kernel, rule, reach, mass: Vec::new(), scratch: Vec::new() }
+        Self { kernel, rule, reach, kept: 0, mass: Vec::new(), scratch: Vec::new() }
     }
 
     /// Density and smoothing length of the active particles (all, if there is no list of their numbers). Afterwards
@@ -128,10 +130,15 @@ impl<const D: usize> DensitySum<D> {
         }
         // Images are without end.
         let open = |end: &Boundary| matches!(end, Boundary::Open | Boundary::Transmissive);
-        let total = match domain.boundary.as_flattened().iter().all(open) {
-            true => mass.iter().sum(),
-            false => f64::INFINITY,
+        let too_heavy = match self.rule {
+            // Whoever sees too little mass however far it looks asks for an h beyond every h: it keeps its own.
+            Smoothing::Adaptive { eta, .. } if domain.boundary.as_flattened().iter().all(open) => {
+                mass.iter().sum::<f64>() * self.kernel.value(0.0, 1.0) / eta.powi(D as i32)
+            }
+            _ => f64::INFINITY,
         };
+        let kept = mass.iter().filter(|&&mass| mass >= too_heavy).count();
+        self.kept = self.kept.max(kept as u64);
         let mut margin = margin(D);
         for _ in 0..MOST_SEARCHES {
             let lengths = &*smoothing;
@@ -141,7 +148,7 @@ impl<const D: usize> DensitySum<D> {
                 neighbours.search_from(domain, position, active, |i| lengths[i] * range * margin);
                 0.0
             });
-            if !self.sum(mass, total, smoothing, density, slack, neighbours)? {
+            if !self.sum(mass, too_heavy, smoothing, density, slack, neighbours)? {
                 return Ok(());
             }
             margin = 1.5;
@@ -149,11 +156,11 @@ impl<const D: usize> DensitySum<D> {
         Err(Reason::SmoothingLength { particle: 0 })
     }
 
-    /// One pass over the active particles, of which there is a `total` mass in all; whether some need pairs from further away.
+    /// One pass over the active particles; those of a mass of `too_heavy` keep their lengths. Whether some need pairs from further away.
     fn sum(
         &mut self,
         masses: &[f64],
-        total: f64,
+        too_heavy: f64,
         smoothing: &mut [f64],
         density: &mut [f64],
         slack: f64,
@@ -167,7 +174,6 @@ impl<const D: usize> DensitySum<D> {
         }
         let range = self.kernel.support() * self.reach;
         let (kernel, rule, mass, lengths) = (&self.kernel, self.rule, &self.mass, &*smoothing);
-        let highest = kernel.value(0.0, 1.0);
         for_each_block(&mut self.scratch, &|scratch| {
             let block = &neighbours.blocks[scratch.block];
             scratch.outcomes.clear();
@@ -205,10 +211,7 @@ impl<const D: usize> DensitySum<D> {
                         let own = own * kernel.value(0.0, h);
                         Outcome::Done { density: others.map(term).fold(own, |a, b| a + b), h }
                     }
-                    // Whoever sees too little mass however far it looks asks for an h beyond every h: it keeps its own.
-                    Smoothing::Adaptive { eta, .. }
-                        if total * highest <= eta.powi(D as i32) * own =>
-                    {
+                    Smoothing::Adaptive { .. } if own >= too_heavy => {
                         Outcome::Done { density: sums(h).0, h }
                     }
                     Smoothing::Adaptive { eta, tolerance } => {

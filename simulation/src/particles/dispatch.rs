@@ -57,12 +57,13 @@ fn with_solver<const D: usize, S: StarSolver>(
     options: &MethodOptions,
     solver: S,
 ) -> Box<dyn PairLoops<D>> {
+    let work = options.pair_work;
     let smoothed = |form| Box::new(Smoothed { form, viscosity: options.viscosity });
     match options.method {
-        ParticleMethod::Gph1 => Box::new(Godunov { weight: SumOfSquares, solver }),
-        ParticleMethod::Gph2 => Box::new(Godunov { weight: Product, solver }),
-        ParticleMethod::Gph3 => Box::new(Godunov { weight: OwnKernels, solver }),
-        ParticleMethod::Gph4 => Box::new(Godunov { weight: Convolution, solver }),
+        ParticleMethod::Gph1 => Box::new(Godunov { weight: SumOfSquares, solver, work }),
+        ParticleMethod::Gph2 => Box::new(Godunov { weight: Product, solver, work }),
+        ParticleMethod::Gph3 => Box::new(Godunov { weight: OwnKernels, solver, work }),
+        ParticleMethod::Gph4 => Box::new(Godunov { weight: Convolution, solver, work }),
         ParticleMethod::Sph1 | ParticleMethod::Adke => smoothed(PressureForm::Sum),
         ParticleMethod::Sph2 => smoothed(PressureForm::Geometric),
     }

@@ -1,6 +1,7 @@
 //! The methods of Cha & Whitworth 2003, and adaptive SPH, by name, and their options.
 
 use super::density::Smoothing;
+use super::godunov::PairWork;
 use super::integrator::{Integrator, Work, table};
 use super::viscous::Viscosity;
 use crate::run::{InvalidOptions, not_negative, positive};
@@ -142,6 +143,8 @@ pub struct MethodOptions {
     /// The velocity at which forces work. Cases 1 and 2 are published with that of the old step, which in strong
     /// shocks gains energy however many particles there are; SPH with that of each stage.
     pub work: Work,
+    /// How the ends of a pair share the heat; of the Godunov methods.
+    pub pair_work: PairWork,
     /// The Riemann solver.
     pub solver: SolverChoice,
     /// The artificial viscosity of SPH.
@@ -175,6 +178,10 @@ impl MethodOptions {
             courant: if adaptive { 0.3 } else { 0.5 },
             integrator,
             work: if method.is_godunov() { Work::TimeCentred } else { Work::Instantaneous },
+            pair_work: match method {
+                ParticleMethod::Gph3 | ParticleMethod::Gph4 => PairWork::Star,
+                _ => PairWork::Mean,
+            },
             solver: SolverChoice::Published,
             viscosity: Viscosity::STANDARD,
             sharing: StepSharing::Global,

@@ -36,7 +36,7 @@ pub(crate) use dispatch::{Task, dispatch};
 pub use domain::{Domain, Image};
 pub use evolution::{ParticleEvolution, Stepping};
 pub use gas::{Gas, IsothermalGas};
-pub use godunov::Godunov;
+pub use godunov::{Godunov, PairWork};
 pub use integrator::{Integrator, NotExplicit, Nystrom, Stepper, Work, table};
 pub use method::{KernelEstimation, MethodOptions, ParticleMethod, SolverChoice, StepSharing};
 pub use neighbours::{Neighbours, Pair};

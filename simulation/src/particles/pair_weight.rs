@@ -3,14 +3,15 @@
 //! All are the `A` of `force = P A` (per product of masses) on the left particle, hence never
 //! positive: `∇_left W = −W' e` with `e` pointing right, and the equations carry a minus.
 
+use super::godunov::PairWork;
 use super::pair_force::PairEnd;
 use super::smoothing_kernel::RadialKernel;
 use std::f64::consts::SQRT_2;
 
 /// A factor `A` with `force = P A`.
 pub trait PairWeight: std::fmt::Debug + Send + Sync + 'static {
-    /// Whether the energy equation uses the star velocity, or the mean of the particles'.
-    const STAR_WORK: bool;
+    /// The velocity in the energy equation, as printed.
+    const WORK: PairWork;
 
     /// See [`PairForce::reach`](super::pair_force::PairForce::reach).
     fn reach(&self) -> f64 {
@@ -57,7 +58,7 @@ pub struct OwnKernels;
 pub struct Convolution;
 
 impl PairWeight for SumOfSquares {
-    const STAR_WORK: bool = false;
+    const WORK: PairWork = PairWork::Mean;
 
     #[inline]
     fn weight<K: RadialKernel>(&self, l: &PairEnd, r: &PairEnd, distance: f64, kernel: &K) -> f64 {
@@ -67,7 +68,7 @@ impl PairWeight for SumOfSquares {
 }
 
 impl PairWeight for Product {
-    const STAR_WORK: bool = false;
+    const WORK: PairWork = PairWork::Mean;
 
     #[inline]
     fn weight<K: RadialKernel>(&self, l: &PairEnd, r: &PairEnd, distance: f64, kernel: &K) -> f64 {
@@ -76,7 +77,7 @@ impl PairWeight for Product {
 }
 
 impl PairWeight for OwnKernels {
-    const STAR_WORK: bool = true;
+    const WORK: PairWork = PairWork::Star;
 
     #[inline]
     fn weight<K: RadialKernel>(&self, l: &PairEnd, r: &PairEnd, distance: f64, kernel: &K) -> f64 {
@@ -108,7 +109,7 @@ impl Convolution {
 }
 
 impl PairWeight for Convolution {
-    const STAR_WORK: bool = true;
+    const WORK: PairWork = PairWork::Star;
 
     fn reach(&self) -> f64 {
         SQRT_2

@@ -234,6 +234,7 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         self.sum.solve(&self.domain, positions, active, &mut self.density, &mut self.neighbours)?;
         self.counters.densities += count as u64;
         self.counters.searches = self.neighbours.searches;
+        self.counters.kept_lengths = self.sum.kept;
         let (gas, density) = (self.gas, &self.density);
         match active {
             None => {

@@ -1,6 +1,6 @@
 //! What a run says of itself.
 
-use super::{Conservation, Penetration};
+use super::{Conservation, Counters, Penetration};
 
 /// How well a method promises to conserve the total energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,12 +16,13 @@ pub enum Promise {
 /// An energy error of the time steps above this part of the energy spoils the third digit of everything.
 const NOTABLE: f64 = 1e-3;
 
-/// Warnings about drifts beyond what was promised, and about particles that passed each other.
+/// Warnings about drifts beyond what was promised, about particles that passed each other, and about what was assumed.
 pub(crate) fn warnings(
     drift: &Conservation,
     promise: Promise,
     steps: usize,
     penetration: &Penetration,
+    counters: &Counters,
 ) -> Vec<String> {
     let mut warnings = Vec::new();
     // Every step rounds a sum of many numbers a few times.
@@ -56,6 +57,12 @@ pub(crate) fn warnings(
         warnings.push(format!(
             "particles have passed through each other: at the end neighbours stand in the wrong order {} times",
             penetration.at_end
+        ));
+    }
+    if counters.kept_lengths > 0 {
+        warnings.push(format!(
+            "the gas that was left was too little for any smoothing length: the last {} particles kept theirs",
+            counters.kept_lengths
         ));
     }
     warnings

@@ -97,6 +97,8 @@ pub struct Counters {
     pub riemann_iterations: u64,
     /// Cells and particles summed over for gravity.
     pub attractions: u64,
+    /// The most particles that have kept their smoothing length at once, because all gas was too little for any.
+    pub kept_lengths: u64,
 }
 
 /// Neighbours that stand in the wrong order.
@@ -162,7 +164,13 @@ impl<P> Run<P> {
             counters,
             penetration,
             waiting: [0; 2],
-            warnings: judgement::warnings(&conservation, promise, march.steps, &penetration),
+            warnings: judgement::warnings(
+                &conservation,
+                promise,
+                march.steps,
+                &penetration,
+                &counters,
+            ),
         }
     }
 

@@ -116,6 +116,7 @@ pub fn all(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
         .each("riemann", |a| &mut a.choices.riemann, name)
         .each("integrator", |a| &mut a.choices.integrator, |one| one.name.clone())
         .each("work", |a| &mut a.choices.work, name)
+        .each("pair-work", |a| &mut a.choices.pair_work, name)
         .each("roe-mean", |a| &mut a.choices.roe_mean, name)
         .each("contact", |a| &mut a.choices.contact, to_text)
         .each("contact-form", |a| &mut a.choices.contact_form, name)

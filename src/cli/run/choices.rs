@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use courant::analysis::exact::rational::to_f64;
 use courant::analysis::scheme::Integrator;
 use courant::simulation::lagrangian::flux::{ContactViscosity, ModifiedRoe, RoeMean};
-use courant::simulation::particles::{SolverChoice, Work};
+use courant::simulation::particles::{PairWork, SolverChoice, Work};
 
 /// The options, each a list; each is refused by methods that do not have it.
 #[derive(Debug, Clone, Args)]
@@ -27,6 +27,10 @@ pub struct Choices {
     /// gph1 to gph4, sph1, sph2, sph-adke: the velocity at which forces work (default: centred; SPH published).
     #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
     pub work: Vec<WorkName>,
+    /// gph1 to gph4: the velocity of a pair at which its force works (default: as printed, mean for gph1 and gph2, star for
+    /// gph3 and gph4; under gravity shared for these).
+    #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
+    pub pair_work: Vec<PairWorkName>,
     /// lagrangian-roe: what the mean state is the mean of (default: density).
     #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
     pub roe_mean: Vec<MeanName>,
@@ -56,6 +60,17 @@ pub enum WorkName {
     Centred,
     /// That of each stage, as printed for GPH 1 and 2 and SPH: an error of the time steps, which strong shocks keep.
     Published,
+}
+
+/// Velocities of a pair at which its force works, by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PairWorkName {
+    /// The mean of the two: both heat alike.
+    Mean,
+    /// That of the star state: heat flows down the slope of the pressure, also where gravity holds it.
+    Star,
+    /// The mean for a pair that approaches; of one that parts each end cools in proportion to its pressure.
+    Shared,
 }
 
 /// Roe means by name.
@@ -90,6 +105,7 @@ impl Choices {
             ("--riemann", !self.riemann.is_empty()),
             ("--integrator", self.integrator.is_some()),
             ("--work", !self.work.is_empty()),
+            ("--pair-work", !self.pair_work.is_empty()),
             ("--roe-mean", !self.roe_mean.is_empty()),
             ("--contact", self.contact.is_some()),
             ("--contact-form", !self.contact_form.is_empty()),
@@ -136,6 +152,16 @@ impl Choices {
             None => otherwise,
             Some(WorkName::Centred) => Work::TimeCentred,
             Some(WorkName::Published) => Work::Instantaneous,
+        }
+    }
+
+    /// The velocity of a pair at which its force works, or what it is otherwise.
+    pub fn pair_work(&self, otherwise: PairWork) -> PairWork {
+        match self.pair_work.first() {
+            None => otherwise,
+            Some(PairWorkName::Mean) => PairWork::Mean,
+            Some(PairWorkName::Star) => PairWork::Star,
+            Some(PairWorkName::Shared) => PairWork::Shared,
         }
     }
 

@@ -11,7 +11,7 @@ use courant::simulation::run::InvalidOptions;
 /// The choices that a method leaves open.
 pub fn accepted(method: ParticleMethod) -> &'static [&'static str] {
     match method.is_godunov() {
-        true => &["--riemann", "--integrator", "--work"],
+        true => &["--riemann", "--integrator", "--work", "--pair-work"],
         false => &["--alpha", "--beta", "--integrator", "--work"],
     }
 }
@@ -31,6 +31,7 @@ pub fn choose(arguments: &Arguments, options: &mut MethodOptions) -> Result<(), 
     options.courant = arguments.cfl().map_or(options.courant, to_f64);
     options.integrator = choices.integrator(options.integrator);
     options.work = choices.work(options.work);
+    options.pair_work = choices.pair_work(options.pair_work);
     options.solver = choices.solver(options.solver);
     options.viscosity.alpha = choices.alpha(options.viscosity.alpha);
     options.viscosity.beta = choices.beta(options.viscosity.beta);

@@ -116,11 +116,9 @@ impl Reader<'_> {
         // A long fraction is cut: products of it would be longer still.
         let unit = Rational::from(BigInt::one() << CONSTANT_BITS);
         let cut = (&value * &unit).floor() / &unit;
-        let value = self.enclosed(cut, spread + unit.recip(), "q", span)?;
-        match value {
-            Value::Scalar(scalar) => Ok(scalar),
-            Value::Linear(_) => Err(self.error(zero, span)),
-        }
+        let series = EnclosedSeries::new(&[cut], spread + unit.recip());
+        let quotient = self.letter(LetterKind::Quotient, series, None, "q", span)?;
+        Ok(vec![(Fraction::variable(quotient), None)])
     }
 
     /// A polynomial in constant letters as a number within a radius.

@@ -154,6 +154,23 @@ fn what_vanishes_for_the_weights_at_hand_is_looked_at_again() {
 }
 
 #[test]
+fn numbers_that_may_cancel_make_no_scheme_unstable() {
+    // Leapfrog and a term that drives it out of the circle, unless its coefficient is 0.
+    let evidence = |number: &str| {
+        let text = format!("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1]) + ({number})*u[n,j]");
+        let set = Step::from_text(&text).unwrap().stable_set("C", &Default::default()).unwrap();
+        assert_eq!(set.limit().lower(), 0.0);
+        set.limit().evidence()
+    };
+    for zero in ["sqrt(8) - 2*sqrt(2)", "sqrt(2)*sqrt(3) - sqrt(6)", "1/sqrt(2) - sqrt(2)/2"] {
+        assert_eq!(evidence(zero), Evidence::Undecided, "{zero}");
+    }
+    for other in ["sqrt(8) - 2", "sqrt(2)*sqrt(3) - sqrt(5)", "pi - 3"] {
+        assert_eq!(evidence(other), Evidence::Proved, "{other}");
+    }
+}
+
+#[test]
 fn a_budget_for_growth_has_room_for_powers_of_the_number_of_steps() {
     // A shift drives a shift, whatever C is; beside them upwind, with |1 − 2C| = 1 + ε.
     let text = "r[n+1,j] = r[n,j-1]; q[n+1,j] = q[n,j-1] + r[n,j]; \

@@ -272,8 +272,8 @@ impl<'a> Walk<'a> {
         for width in widths.take_while(|&bits| bits >= LAST_WIDTH) {
             let lower = &edge.lower * (integer(1) - power_of_two(-i64::from(width)));
             if lower <= *reached {
-                // Stable up to here already.
-                let beyond = edge.lower >= *reached;
+                // Stable up to here already; but a wave that was found below the edge leads to the true one.
+                let beyond = edge.lower >= *reached && matches!(last, Objection::Budget);
                 return if beyond {
                     Ok(Edge { lower: reached.clone(), ..edge })
                 } else {

@@ -24,7 +24,9 @@ impl Letter {
     fn is_expanded(&self) -> bool {
         match self.kind {
             LetterKind::Versines | LetterKind::Sines => true,
-            LetterKind::Constant => self.of.is_some() || self.value.is_exact(),
+            LetterKind::Constant | LetterKind::Quotient => {
+                self.of.is_some() || self.value.is_exact()
+            }
             LetterKind::SquareRoot(_) => false,
         }
     }

@@ -2,10 +2,10 @@
 
 use super::pairs::{air, disordered};
 use crate::boundary::Boundary;
-use crate::march::Evolution;
+use crate::march::{Evolution, March};
 use crate::particles::*;
 use crate::riemann::IdealGas;
-use crate::run::Reason;
+use crate::run::{Conservation, Penetration, Promise, Reason, Run};
 use courant_analysis::kernel::Kernel;
 
 const FORCE: Smoothed = Smoothed { form: PressureForm::Sum, viscosity: Viscosity::STANDARD };
@@ -22,10 +22,17 @@ fn so_few_that_no_length_satisfies_them_keep_theirs() {
     few.update_fields().expect("a length for everybody");
     assert_eq!(few.particles.smoothing, before);
     assert!(few.density().iter().all(|density| *density > 0.0));
+    assert_eq!(few.counters.kept_lengths, 3);
+    // Whatever has such counters says so.
+    let march = March { time: 1.0, steps: 1, rejected: 0, failure: None, cancelled: false };
+    let (drift, penetration) = (Conservation::default(), Penetration::default());
+    let run = Run::after(&march, (), drift, Promise::RoundOff, few.counters, penetration);
+    assert!(run.warnings[0].ends_with("the last 3 particles kept theirs"), "{:?}", run.warnings);
     // Periodic images are without end, and a crowd is no few.
     for (count, boundary) in [(3, Boundary::Periodic), (60, Boundary::Open)] {
         let mut many = gas(count, boundary);
         many.update_fields().expect("a length for everybody");
+        assert_eq!(many.counters.kept_lengths, 0);
         for (i, h) in many.particles.smoothing.iter().enumerate() {
             let asked = 1.2 * (many.particles.mass[i] / many.density()[i]).cbrt();
             assert!((h / asked - 1.0).abs() < 1e-3, "{count} {boundary:?}: {h} for {asked}");

@@ -44,14 +44,14 @@ macro_rules! for_each_force {
         let exact = ExactIdeal(air());
         let viscosity = Viscosity::STANDARD;
         for_each_force!(@ $force $kernel $body Kernel::CubicSpline,
-            Godunov { weight: SumOfSquares, solver },
-            Godunov { weight: Product, solver },
-            Godunov { weight: OwnKernels, solver },
-            Godunov { weight: OwnKernels, solver: exact },
+            Godunov::new(SumOfSquares, solver),
+            Godunov::new(Product, solver),
+            Godunov::new(OwnKernels, solver),
+            Godunov::new(OwnKernels, exact),
             Smoothed { form: PressureForm::Sum, viscosity },
             Smoothed { form: PressureForm::Geometric, viscosity });
         for_each_force!(@ $force $kernel $body Kernel::Gaussian,
-            Godunov { weight: Convolution, solver });
+            Godunov::new(Convolution, solver));
     }};
     (@ $force:ident $kernel:ident $body:block $which:expr, $($value:expr),*) => {
         $({ let ($force, $kernel) = ($value, $which); $body })*
@@ -204,7 +204,7 @@ fn evolved<const D: usize>(order: &[usize], force: &dyn PairLoops<D>) -> Vec<Vec
 
 #[test]
 fn results_depend_neither_on_numbering_nor_on_threads() {
-    let force = Godunov { weight: OwnKernels, solver: ExactIdeal(air()) };
+    let force = Godunov::new(OwnKernels, ExactIdeal(air()));
     let count = 3000;
     let natural: Vec<usize> = (0..count).collect();
     let mut shuffled = natural.clone();
@@ -225,7 +225,7 @@ fn results_depend_neither_on_numbering_nor_on_threads() {
 #[test]
 fn pair_forces_act_along_the_line_of_centres() {
     let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
-    let force = Godunov { weight: OwnKernels, solver };
+    let force = Godunov::new(OwnKernels, solver);
     let particles = Particles {
         position: vec![[0.0, 0.0], [0.06, 0.08]],
         velocity: vec![[0.3, 0.4], [-0.3, -0.4]],
@@ -249,6 +249,45 @@ fn pair_forces_act_along_the_line_of_centres() {
     };
     assert!((system.density()[0] / density(0, 0.1) - 1.0).abs() < 1e-14);
     assert!((system.density()[1] / density(1, 0.12) - 1.0).abs() < 1e-14);
+}
+
+/// What the ends of a pair get, against the work of each by its own expansion.
+#[test]
+fn ends_share_the_heat_of_a_pair_as_they_say() {
+    let kernel = SmoothingKernel::<1>::new(Kernel::CubicSpline);
+    let end = |pressure, velocity| PairEnd {
+        density: 1.0,
+        pressure,
+        sound_speed: 1.0,
+        velocity,
+        smoothing: 0.1,
+        volume_slope: 0.0,
+        compression: 1.0,
+    };
+    let heats = |work, [p, q]: [f64; 2], [v, w]: [f64; 2]| {
+        let force = Godunov { work, ..Godunov::new(OwnKernels, ExactIdeal(air())) };
+        let both = force.exchange(&end(p, v), &end(q, w), 0.1, &kernel).expect("they touch");
+        let [left, right] = [both.force * (both.velocity - v), both.force * (w - both.velocity)];
+        assert!((left + right - both.force * (w - v)).abs() < 1e-14);
+        [left, right]
+    };
+    // At rest the higher pressure heats the other end, or nobody does.
+    let [left, right] = heats(PairWork::Star, [2.0, 1.0], [0.0; 2]);
+    assert!(left < -0.1 && (left + right).abs() < 1e-14, "{left} {right}");
+    for work in [PairWork::Mean, PairWork::Shared] {
+        assert_eq!(heats(work, [2.0, 1.0], [0.0; 2]), [0.0; 2]);
+        let [left, right] = heats(work, [2.0, 1.0], [0.3, -0.1]);
+        assert!(left > 0.0 && (left / right - 1.0).abs() < 1e-12);
+    }
+    // Parting: in proportion to the pressures, and neither gives more than it would by the pressure it has.
+    for pressures in [[2.0, 1.0], [1.0, 1e-6], [1e-6, 1.0]] {
+        let heats = heats(PairWork::Shared, pressures, [-0.1, 0.2]);
+        assert!((heats[0] * pressures[1] / (heats[1] * pressures[0]) - 1.0).abs() < 1e-9);
+        let slope = 2.0 * kernel.slope(0.1, 0.1);
+        for (heat, pressure) in heats.iter().zip(pressures) {
+            assert!(*heat < 0.0 && *heat > slope * pressure * 0.3, "{heat} {pressure}");
+        }
+    }
 }
 
 /// (15) by quadrature along the line, for the uncut Gaussian, against the closed form.
