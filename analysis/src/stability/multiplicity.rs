@@ -208,9 +208,6 @@ fn meeting_waves(step: &Step, chi: &[Laurent]) -> (Vec<Rational>, bool) {
     if simple.len() > MOST_DEGREE + 1 {
         return (waves, false);
     }
-    if simple.len() == 3 && simple.iter().all(Laurent::is_real) {
-        return (real_pairs(step, &simple, waves), true);
-    }
     let discriminant = step.names.reduce(discriminant(&simple));
     let real = symmetric(discriminant.clone())
         .unwrap_or_else(|| step.names.reduce(&discriminant * &discriminant.conjugate()));
@@ -223,26 +220,6 @@ fn meeting_waves(step: &Step, chi: &[Laurent]) -> (Vec<Rational>, bool) {
     let all_waves = !step.names.letters().any(inexact);
     waves.extend(zeros_of(&real, &step.names, WAVE_BITS));
     (waves, all_waves)
-}
-
-/// Of two multipliers of a real polynomial only ±1 can be equal on the circle: the waves for which value and derivative vanish there.
-fn real_pairs(step: &Step, chi: &[Laurent], mut waves: Vec<Rational>) -> Vec<Rational> {
-    for sign in [1, -1] {
-        let at = |coefficients: &[Laurent]| {
-            let terms = coefficients.iter().enumerate();
-            let value = terms.fold(Laurent::default(), |sum, (power, value)| {
-                sum + value.scaled(&BigInt::from(if power % 2 == 1 { sign } else { 1 }))
-            });
-            step.names.reduce(value)
-        };
-        let both = greatest_common_divisor(&at(chi), &at(&derivative(chi)));
-        if both.is_zero() {
-            waves.push(ratio(1, 3));
-        } else if let Some(real) = symmetric(both) {
-            waves.extend(zeros_of(&real, &step.names, WAVE_BITS));
-        }
-    }
-    waves
 }
 
 fn derivative(a: &[Laurent]) -> Vec<Laurent> {

@@ -357,9 +357,6 @@ impl<'a> Walk<'a> {
             let Some((wide, _)) = found else { return Err(lower) };
             upper = wide;
         }
-        // The wave of an exact edge is unstable right up to it.
-        let reaches = self.search.is_unstable_between(&lower, &upper, &spot);
-        let lower = if reaches { upper.clone() } else { lower };
         Ok(Edge { lower, upper, spot: Some(spot) })
     }
 
