@@ -145,7 +145,12 @@ pub(super) fn remarks(
             add(format!("stable without limit, {evidence}"));
         }
         if !answer.keeps_constants {
-            add("a constant is not kept, the mean drifts".into());
+            add(match limit.evidence() {
+                Evidence::Undecided => {
+                    "that a constant is kept is not seen: the mean may drift".into()
+                }
+                _ => "a constant is not kept, the mean drifts".into(),
+            });
         }
         for (growth, limit) in &answer.growth {
             if limit.evidence() == Evidence::Undecided {
