@@ -2,8 +2,15 @@
 
 /// The largest value met and its point: where there is one maximum between `lower` and `upper`, it is within `width` of the point.
 ///
-/// Of the two inner points of a bracket one is an inner point of the next, so each section costs one value.
-pub(crate) fn golden_section(
+/// Of the two inner points of a bracket one is an inner point of the next, so each section costs one value. Values that are no numbers are no
+/// maximum: where there are no others the answer is −∞ at `lower`.
+///
+/// ```
+/// use courant_analysis::golden_section::golden_section;
+/// let (value, at) = golden_section(f64::sin, [0.0, 3.0], 1e-7);
+/// assert!((at - std::f64::consts::FRAC_PI_2).abs() < 1e-7 && (value - 1.0).abs() < 1e-14);
+/// ```
+pub fn golden_section(
     mut at: impl FnMut(f64) -> f64,
     [mut lower, mut upper]: [f64; 2],
     width: f64,

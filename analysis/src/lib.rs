@@ -4,7 +4,7 @@
 
 pub mod certificate;
 pub mod exact;
-mod golden_section;
+pub mod golden_section;
 pub mod interest;
 pub mod kernel;
 pub mod scheme;

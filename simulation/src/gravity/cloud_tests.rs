@@ -145,7 +145,7 @@ fn the_place_of_a_wave_and_the_motion_before_it_are_found_again() {
     let reach = 0.6;
     let time = reach - cloud.wave_start().expect("it has a sink");
     // A wave that lags by 4 %, on gas that moves.
-    let head = |drift: fn(f64) -> f64| {
+    let wave = |drift: fn(f64) -> f64| {
         let place = |k: u32| 0.1 + f64::from(k) * 1e-3;
         let speed =
             |r: f64| ExpansionWave::solution().at(r / (0.96 * reach)).velocity + drift(r / reach);
@@ -157,12 +157,18 @@ fn the_place_of_a_wave_and_the_motion_before_it_are_found_again() {
             sink: None,
             particle_mass: 1e-3,
         };
-        cloud.head(&snapshot).expect("there is a wave")
+        cloud.wave_measures(&snapshot).expect("there is a wave")
     };
-    let still = head(|_| 0.0);
+    let still = wave(|_| 0.0);
     assert!((still.stretch - 0.96).abs() < 1e-4 && still.before.abs() < 1e-12, "{still:?}");
-    assert!((head(|_| 0.03).before - 0.03).abs() < 1e-12);
+    // Shells are 15 particles wide.
+    assert!((still.head.expect("it falls below a tenth") - 0.96).abs() < 0.004, "{still:?}");
+    // du/dx is 1.1 there.
+    let moving = wave(|_| 0.03);
+    let moved = still.head.zip(moving.head).map(|(still, moving)| moving - still);
+    assert!(moved.is_some_and(|moved| (moved + 0.03).abs() < 0.01), "{moved:?}");
+    assert!((moving.before - 0.03).abs() < 1e-12);
     // A swing displaces a place of one speed by up to δ/|du/dx|, 0.03; over the wave it is lost in the mean.
-    let swinging = head(|x| 0.03 * (4.0 * std::f64::consts::PI * x).cos());
+    let swinging = wave(|x| 0.03 * (4.0 * std::f64::consts::PI * x).cos());
     assert!((swinging.stretch - 0.96).abs() < 0.004, "{swinging:?}");
 }

@@ -130,6 +130,16 @@ impl ExpansionWave {
         Similarity { density, velocity, mass: x * x * density * (x - velocity) }
     }
 
+    /// The `x` where the infall has reached a speed, in sound speeds.
+    pub fn infall(&self, speed: f64) -> f64 {
+        let (mut low, mut high) = (0.0_f64, 1.0_f64);
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let middle = 0.5 * (low + high);
+            if self.at(middle).velocity < -speed { low = middle } else { high = middle }
+        }
+        high
+    }
+
     /// Hermite's cubic between two steps.
     fn between(&self, next: usize, log: f64) -> [f64; 2] {
         let (from, to) = (self.abscissa[next - 1], self.abscissa[next]);

@@ -3,17 +3,21 @@
 use super::cloud::{Cloud, Known};
 use super::run::{CloudRun, Snapshot};
 use crate::particles::dot;
+use courant_analysis::golden_section::golden_section;
 use std::collections::BTreeMap;
 
-/// The expansion wave at a time.
+/// What a run has of the expansion wave at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Head {
+pub struct WaveMeasures {
     /// The time simulated.
     pub time: f64,
+    /// Where the mean infall of a shell falls below [`HEAD_SPEED`], over the place in the exact solution, if it does.
+    ///
+    /// It moves by `δ/|du/dr| ≈ δ t` where the gas there moves by `δ`.
+    pub head: Option<f64>,
     /// The factor by which the radii of the exact solution are multiplied to fit the radial velocities best, by least squares over [`WAVE`].
     ///
-    /// The place where the mean infall is some small part of `c` would measure the motion of the gas there instead: it moves by
-    /// `δ/|du/dr| ≈ δ t` where all moves by `δ`. The fit moves as far if all moves alike, but a swing is lost in the mean.
+    /// It moves as far as the head if all gas moves alike, but a swing is lost in the mean.
     pub stretch: f64,
     /// Mean radial velocity before the wave, for `1 < r/(c t) < 1.2`, in sound speeds. Exact: 0.
     pub before: f64,
@@ -21,19 +25,21 @@ pub struct Head {
     pub scatter: f64,
 }
 
+/// Infall that counts as arrived, in sound speeds: only a tenth of the way behind the head.
+pub const HEAD_SPEED: f64 = 0.1;
 /// Where velocities are fitted, in `r/(c t)`: the infall reaches 0.73 c.
 pub const WAVE: [f64; 2] = [0.5, 1.2];
-/// When the head is looked at, in collapse times: well away from the sink and from the edge.
-const HEAD_TIME: f64 = 0.3;
+/// When the wave is looked at, in collapse times: well away from the sink and from the edge.
+const WAVE_TIME: f64 = 0.3;
 /// The accretion rate is that between these, in collapse times.
 pub const RATE_WINDOW: [f64; 2] = [0.1, 0.45];
 /// Shells in which velocities are averaged.
 const SHELLS: usize = 60;
 
 impl Cloud {
-    /// When the head of the wave is looked at, in the time simulated.
-    pub(super) fn head_time(&self) -> Option<f64> {
-        Some(HEAD_TIME * self.collapse_time()? - self.wave_start()?)
+    /// When the wave is looked at, in the time simulated.
+    pub(super) fn wave_time(&self) -> Option<f64> {
+        Some(WAVE_TIME * self.collapse_time()? - self.wave_start()?)
     }
 
     /// When the wave reaches the edge, in the time simulated.
@@ -41,7 +47,7 @@ impl Cloud {
         Some(self.radius / self.sound_speed()? - self.wave_start()?)
     }
 
-    pub(super) fn head(&self, snapshot: &Snapshot) -> Option<Head> {
+    pub(super) fn wave_measures(&self, snapshot: &Snapshot) -> Option<WaveMeasures> {
         let sound = self.sound_speed()?;
         let reach = sound * (snapshot.time + self.wave_start()?);
         let mut all: Vec<_> =
@@ -52,46 +58,43 @@ impl Cloud {
             &all[place(from)..place(to)]
         };
         let (fitted, before) = (between(WAVE[0], WAVE[1]), between(1.0, WAVE[1]));
-        let wave = super::ExpansionWave::solution();
-        let misfit = |stretch: f64| -> f64 {
-            fitted.iter().map(|[x, u]| (u - wave.at(x / stretch).velocity).powi(2)).sum()
+        let exact = super::ExpansionWave::solution();
+        let fit = |stretch: f64| -> f64 {
+            -fitted.iter().map(|[x, u]| (u - exact.at(x / stretch).velocity).powi(2)).sum::<f64>()
         };
-        let shells = all.chunks(all.len().div_ceil(SHELLS).max(1)).map(Shell::of);
+        let shells: Vec<_> = all.chunks(all.len().div_ceil(SHELLS).max(1)).map(Shell::of).collect();
         let (squares, count) = shells
+            .iter()
             .filter(|shell| (0.8..1.2).contains(&shell.radius))
             .fold((0.0, 0), |(sum, count), shell| (sum + shell.squares, count + shell.count));
-        (!before.is_empty()).then(|| Head {
+        let head = shells.windows(2).find(|pair| pair[1].velocity > -HEAD_SPEED).map(|pair| {
+            let [near, far] = [&pair[0], &pair[1]];
+            let part = (-HEAD_SPEED - near.velocity) / (far.velocity - near.velocity);
+            near.radius + part.clamp(0.0, 1.0) * (far.radius - near.radius)
+        });
+        (!before.is_empty()).then(|| WaveMeasures {
             time: snapshot.time,
-            stretch: least(misfit, [0.5, 1.5]),
+            head: head.map(|head| head / exact.infall(HEAD_SPEED)),
+            stretch: largest(fit, [0.5, 1.5]),
             before: before.iter().map(|one| one[1]).sum::<f64>() / before.len() as f64,
             scatter: (squares / count.max(1) as f64).sqrt(),
         })
     }
 }
 
-/// Where a function is least: of some values at equal distances, then between the neighbours of the least by the golden section.
-fn least(function: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+/// Where a function is largest: of some values at equal distances, then between the neighbours of the largest.
+fn largest(function: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
     const VALUES: u32 = 40;
     let width = (to - from) / f64::from(VALUES);
-    let at = |k: u32| from + f64::from(k) * width;
-    let best = (0..=VALUES).map(at).min_by(|a, b| function(*a).total_cmp(&function(*b)));
-    let best = best.expect("there are some");
-    let (mut low, mut high) = (best - width, best + width);
-    let golden = 0.5 * (5_f64.sqrt() - 1.0);
-    while high - low > 1e-6 {
-        let part = golden * (high - low);
-        if function(high - part) < function(low + part) {
-            high = low + part
-        } else {
-            low = high - part
-        }
-    }
-    0.5 * (low + high)
+    let values = (0..=VALUES).map(|k| from + f64::from(k) * width).map(|at| (function(at), at));
+    let (_, best) = values.max_by(|a, b| a.0.total_cmp(&b.0)).expect("there are some");
+    golden_section(function, [best - width, best + width], 1e-6).1
 }
 
 /// Particles of about one radius.
 struct Shell {
     radius: f64,
+    velocity: f64,
     /// `Σ (u − ū)²`.
     squares: f64,
     count: usize,
@@ -103,7 +106,7 @@ impl Shell {
         let mean = |axis: usize| members.iter().map(|one| one[axis]).sum::<f64>() / count;
         let velocity = mean(1);
         let squares = members.iter().map(|one| (one[1] - velocity).powi(2)).sum();
-        Self { radius: mean(0), squares, count: members.len() }
+        Self { radius: mean(0), velocity, squares, count: members.len() }
     }
 }
 
@@ -162,9 +165,12 @@ impl CloudRun {
                     core.zip(exact).map(|(core, e)| (core[1] / e.mass - 1.0).abs()),
                 );
                 add("accretion_rate", self.accretion_rate(cloud));
-                add("wave_position_error", self.head.map(|head| (head.stretch - 1.0).abs()));
-                add("motion_before_wave", self.head.map(|head| head.before));
-                add("head_scatter", self.head.map(|head| head.scatter));
+                let wave = self.wave;
+                let head = wave.and_then(|wave| wave.head);
+                add("head_position_error", head.map(|head| (head - 1.0).abs()));
+                add("wave_position_error", wave.map(|wave| (wave.stretch - 1.0).abs()));
+                add("motion_before_wave", wave.map(|wave| wave.before));
+                add("head_scatter", wave.map(|wave| wave.scatter));
             }
             Some(Known::Static) => {
                 let sound = cloud.sound_speed();

@@ -21,7 +21,7 @@ mod walk;
 
 pub use cloud::{Cloud, Known};
 pub use expansion_wave::{ExpansionWave, Similarity};
-pub use measures::{Head, RATE_WINDOW, WAVE};
+pub use measures::{HEAD_SPEED, RATE_WINDOW, WAVE, WaveMeasures};
 pub use octree::{Bodies, Octree};
 pub use run::{CloudRun, Energies, SAMPLES, Snapshot, cloud_options, run_cloud};
 pub use self_gravity::SelfGravity;

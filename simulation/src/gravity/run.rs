@@ -1,7 +1,7 @@
 //! The run of a cloud, and what comes of it.
 
 use super::cloud::Cloud;
-use super::measures::Head;
+use super::measures::WaveMeasures;
 use super::self_gravity::SelfGravity;
 use super::sink::{Sink, cross};
 use super::sphere::{ball, relax};
@@ -67,8 +67,8 @@ pub struct CloudRun {
     pub least_entropy: Option<f64>,
     /// The gas at the times asked for, and at the end.
     pub snapshots: Vec<Snapshot>,
-    /// The head of the wave, if the run came to it.
-    pub head: Option<Head>,
+    /// The expansion wave, if the run came to it.
+    pub wave: Option<WaveMeasures>,
     /// Total angular momentum at the end, over `√(G M³ R)`.
     pub angular_momentum: f64,
 }
@@ -203,13 +203,13 @@ impl Plan<'_> {
                 least_entropy = least_entropy.map(|least: f64| least.min(now / first));
             }
         };
-        let (mut kept, mut head) = (Vec::new(), None);
+        let (mut kept, mut wave) = (Vec::new(), None);
         let end = cloud.end_time;
         core.extend(evolution.body().sink.map(|sink| [0.0, sink.mass]));
         let march = march(&mut evolution, end, limits, |state, time| {
             core.extend(state.body().sink.map(|sink| [time, sink.mass]));
-            if head.is_none() && cloud.head_time().is_some_and(|wanted| time >= wanted) {
-                head = cloud.head(&snapshot(state, time));
+            if wave.is_none() && cloud.wave_time().is_some_and(|wanted| time >= wanted) {
+                wave = cloud.wave_measures(&snapshot(state, time));
             }
             if has_energy && time >= end / SAMPLES as f64 * energies.len() as f64 {
                 energies.push(energies_of(state, time));
@@ -265,7 +265,7 @@ impl Plan<'_> {
             energies,
             least_entropy,
             snapshots: kept,
-            head,
+            wave,
             angular_momentum: dot(&turning, &turning).sqrt() / unit / cloud.radius.sqrt(),
         })
     }
