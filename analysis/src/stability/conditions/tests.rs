@@ -174,27 +174,29 @@ fn squares_are_taken_out_and_kept() {
 }
 
 #[test]
-fn a_condition_that_vanishes_for_these_square_roots_alone_decides_nothing() {
-    // √2 √3 = √6: the first multiplier lies on the circle, which polynomials in three square roots do not see.
-    let shift = "sqrt(2)*sqrt(3)*u[n+1,j] = sqrt(6)*u[n,j-1]";
+fn a_multiplier_on_the_circle_is_seen_with_square_roots_and_left_open_with_other_numbers() {
     let beside = "w[n+1,j] = w[n,j] - C*(w[n,j] - w[n,j-1])";
-    assert!(conditions_of(&format!("{shift}; {beside}")).undecided);
-    assert!(
-        !conditions_of(&format!("{}; {beside}", shift.replace("sqrt(2)*sqrt(3)", "sqrt(6)")))
-            .undecided
-    );
-    for dimension in [1, 2] {
-        let text = match dimension {
-            1 => format!("{shift}; {beside}"),
-            _ => format!("{shift}; {beside}").replace(",j", ",i,j"),
-        };
-        let step = Step::from_text(&text).unwrap();
-        let set = step.stable_set("C", &Default::default()).unwrap();
-        assert_eq!((set.evidence, set.intervals.len()), (Evidence::Undecided, 0), "{text}");
-        let limit = set.limit();
-        assert!(limit.evidence() == Evidence::Undecided && limit.lower() == 0.0 && !set.neutral);
-        let at = step.with("C", &ratio(1, 2)).unwrap();
-        assert_eq!(decide_step_at(&at, &integer(0)).unwrap(), PointVerdict::Undecided);
+    for (shift, decided) in [
+        ("sqrt(2)*sqrt(3)*u[n+1,j] = sqrt(6)*u[n,j-1]", true),
+        ("pi*(1/pi)*u[n+1,j] = u[n,j-1]", false),
+    ] {
+        for dimension in [1, 2] {
+            let text = match dimension {
+                1 => format!("{shift}; {beside}"),
+                _ => format!("{shift}; {beside}").replace(",j", ",i,j"),
+            };
+            let step = Step::from_text(&text).unwrap();
+            let limit = step.limit("C").unwrap();
+            let at = step.with("C", &ratio(1, 2)).unwrap();
+            let there = decide_step_at(&at, &integer(0)).unwrap();
+            if decided {
+                assert_eq!((limit.value(), limit.evidence()), (1.0, Evidence::Proved), "{text}");
+                assert_eq!(there, PointVerdict::Stable, "{text}");
+            } else {
+                assert_eq!((limit.lower(), limit.evidence()), (0.0, Evidence::Undecided), "{text}");
+                assert_eq!(there, PointVerdict::Undecided, "{text}");
+            }
+        }
     }
 }
 

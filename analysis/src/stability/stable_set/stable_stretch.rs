@@ -148,7 +148,13 @@ impl Search<'_> {
             }
         }
         match witness {
-            Some(s) if upper <= *from => Stretch::Empty(s),
+            // Of enclosed data a counterexample may only be one of the data.
+            Some(s)
+                if upper <= *from
+                    && (self.margin.is_exact() || self.is_unstable_just_above(from, &s)) =>
+            {
+                Stretch::Empty(s)
+            }
             Some(s) if self.is_unstable_just_above(&upper, &s) => {
                 Stretch::Ends(Edge { lower, upper, s })
             }
