@@ -191,6 +191,12 @@ mod tests {
         assert_eq!((found[0].value, &found[0].exact), (0.0, &Some(integer(0))));
         assert!((found[0].wave.as_ref().unwrap().phases()[0] - FRAC_PI_2).abs() < 1e-6);
         assert_eq!(found[1..], [at(integer(1), 0.0), at(integer(1), PI)]);
+        // (3s − 1)² + (5C − 4)², which boxes leave open about 4/5.
+        let open = "17*u[n+1,j] - 6*(2*u[n+1,j] - u[n+1,j+1] - u[n+1,j-1])/4 \
+                    + 9*(6*u[n+1,j] - 4*u[n+1,j+1] - 4*u[n+1,j-1] + u[n+1,j+2] + u[n+1,j-2])/16 \
+                    - 40*C*u[n+1,j] + 25*C^2*u[n+1,j] = u[n,j]";
+        let plan = SearchPlan { bits: 8, budget: 60, ..SearchPlan::default().up_to(integer(4)) };
+        assert_eq!(Step::from_text(open).unwrap().singular_steps("C", &plan).unwrap(), []);
         // 2 − 2C − C E: the longest at 2/3 and the shortest at 2, ascending.
         let both = "2*u[n+1,j] - 2*C*u[n+1,j] - C*u[n+1,j+1] = u[n,j]";
         assert_eq!(singular(both), [at(ratio(2, 3), 0.0), at(integer(2), PI)]);

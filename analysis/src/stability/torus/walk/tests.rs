@@ -137,6 +137,10 @@ fn what_is_known_needs_no_proof() {
     let closed = walk.closed(&integer(1), edge()).ok();
     assert_eq!(closed.map(|edge| edge.lower), Some(integer(1)));
     assert!(walk.closed(&integer(2), edge()).is_err());
+    // Nor one above a wave that is unstable already.
+    let above = |bits: i64| integer(1) + power_of_two(-30) + power_of_two(-bits);
+    let late = Edge { lower: above(60), upper: above(59), spot: None };
+    assert!(matches!(walk.closed(&integer(1), late), Err(Objection::Wave(..))));
     let grows = [0, 1].map(|from| walk.unstable_near(&integer(from), &sample).is_some());
     assert_eq!(grows, [false, true]);
     // Conditions that say nothing leave everything neutral.
