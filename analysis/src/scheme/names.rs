@@ -37,8 +37,8 @@ pub enum LetterKind {
     Constant,
     /// One over a polynomial in other letters.
     Quotient,
-    /// The square root of a fraction: its square is this.
-    SquareRoot(Rational),
+    /// The square root of a natural number: its square is this. No product of those of a scheme is a fraction.
+    SquareRoot(BigInt),
     /// `Σ_k c_k (1 − cos kφ)/s` over the lattice, `s = (1 − cos φ)/2`.
     Versines,
     /// `Σ_k c_k sin kφ/sin φ` over the lattice.
@@ -116,35 +116,20 @@ impl Names {
         Ok(Variable::name(self.0.len() - 1))
     }
 
-    /// Whether no polynomial in the irrational numbers vanishes but for what [`reduce`](Self::reduce) knows: square roots of which no
-    /// product is a fraction, and no quotients. Numbers of a kernel are any within their radius.
+    /// Whether no polynomial in the irrational numbers vanishes but for what [`reduce`](Self::reduce) knows: not with quotients. Numbers of
+    /// a kernel are any within their radius.
     pub(crate) fn are_independent(&self) -> bool {
-        let mut products = vec![Rational::one()];
-        for (_, letter) in self.letters() {
-            match &letter.kind {
-                LetterKind::Quotient => return false,
-                LetterKind::SquareRoot(square) => {
-                    products.extend(products.clone().iter().map(|product| product * square));
-                }
-                LetterKind::Constant | LetterKind::Versines | LetterKind::Sines => {}
-            }
-        }
-        let is_square = |value: &BigInt| value.sqrt().pow(2) == *value;
-        !products[1..].iter().any(|one| is_square(one.numer()) && is_square(one.denom()))
+        self.letters().all(|(_, letter)| letter.kind != LetterKind::Quotient)
     }
 
-    /// Squares of square roots replaced by what they are the roots of, times a positive integer.
+    /// Squares of square roots replaced by what they are the roots of.
     pub fn reduce(&self, polynomial: Laurent) -> Laurent {
         self.letters().fold(polynomial, |reduced, (variable, letter)| match &letter.kind {
             LetterKind::SquareRoot(square) if reduced.degree(variable) > 1 => {
-                let most = (reduced.degree(variable) / 2) as u32;
                 let terms = reduced.terms().iter().map(|(exponents, value)| {
                     let mut rest = *exponents;
-                    let squares = (rest[variable.0] / 2) as u32;
                     rest[variable.0] %= 2;
-                    let factor: BigInt =
-                        square.numer().pow(squares) * square.denom().pow(most - squares);
-                    (rest, value * factor)
+                    (rest, value * square.pow((exponents[variable.0] / 2) as u32))
                 });
                 Laurent::new(terms.collect())
             }

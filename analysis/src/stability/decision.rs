@@ -287,7 +287,7 @@ impl Step {
         Ok(Demands::All(inequalities))
     }
 
-    /// Unstable whatever the parameters, as polynomials in the irrational numbers say: `√8 − 2√2` is no zero to them.
+    /// Unstable whatever the parameters, as polynomials in the irrational numbers say: `π (1/π) − 1` is no zero to them.
     fn nowhere(&self) -> Demands {
         match self.names.are_independent() {
             true => Demands::Nowhere(self.dimension),
@@ -355,7 +355,7 @@ fn squared_gain(characteristic: &Laurent, step: &Step, growth: &Rational) -> Opt
     if exponents[4..].iter().any(|&power| power != 0) {
         return None;
     }
-    // Reduction of square roots may scale; schemes with them go the general way.
+    // Their squares are to be reduced: schemes with square roots go the general way.
     let is_root = |kind: &LetterKind| matches!(kind, LetterKind::SquareRoot(_));
     if step.names.letters().any(|(_, letter)| is_root(&letter.kind)) {
         return None;

@@ -58,7 +58,7 @@ impl Field {
     fn new(names: &Names) -> Self {
         let roots = names.letters().filter_map(|(variable, letter)| match &letter.kind {
             LetterKind::SquareRoot(square) => {
-                Some((variable, RationalFunction::from(square.clone())))
+                Some((variable, RationalFunction::from(Rational::from(square.clone()))))
             }
             _ => None,
         });

@@ -8,7 +8,7 @@ use crate::exact::rational::{Rational, square_root_enclosure};
 use crate::scheme::kernel_function::KernelFunction;
 use crate::scheme::language::LanguageError;
 use crate::scheme::language::syntax::Span;
-use crate::scheme::names::{Fraction, LetterKind};
+use crate::scheme::names::{Fraction, Letter, LetterKind};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
@@ -48,27 +48,43 @@ impl Reader<'_> {
             .map_err(|problem| self.error(problem.to_string(), span))
     }
 
+    /// `√(p/q) = √(p q)/q`, a letter for `√(p q)` unless letters that are there give it: where `p q` times some of their squares is
+    /// `r²`, it is `r` over their product. So no product of letters is a fraction, and square roots cancel as polynomials.
     pub(super) fn square_root(
         &mut self,
         square: &Rational,
         span: &Span,
     ) -> Result<Value, LanguageError> {
-        let root = |value: &BigInt| {
-            let root = value.sqrt();
-            (&root * &root == *value).then_some(root)
-        };
-        if let (Some(numerator), Some(denominator)) = (root(square.numer()), root(square.denom())) {
-            return Ok(number(Fraction::number(&Rational::new(numerator, denominator))));
+        let whole = square.numer() * square.denom();
+        let scale = Rational::new(BigInt::one(), square.denom().clone());
+        // Some letters: their product, that of their squares.
+        let mut some = vec![(Fraction::number(&Rational::one()), BigInt::one())];
+        for (variable, letter) in self.names.letters() {
+            if let LetterKind::SquareRoot(square) = &letter.kind {
+                let with = |(product, squares): &(Fraction, BigInt)| {
+                    (product.times(&Fraction::variable(variable)), squares * square)
+                };
+                some.extend(some.iter().map(with).collect::<Vec<_>>());
+            }
         }
-        let (lower, upper) = square_root_enclosure(square, square, CONSTANT_BITS);
+        for (product, squares) in some {
+            let all = &whole * &squares;
+            let root = all.sqrt();
+            if &root * &root == all {
+                let factor = Rational::new(root, squares) * &scale;
+                return Ok(number(product.times(&Fraction::number(&factor))));
+            }
+        }
+        let radicand = Rational::from(whole.clone());
+        let (lower, upper) = square_root_enclosure(&radicand, &radicand, CONSTANT_BITS);
         let two = Rational::from(BigInt::from(2));
         let series = EnclosedSeries::new(&[(&lower + &upper) / &two], (upper - lower) / two);
-        let kind = LetterKind::SquareRoot(square.clone());
-        let name = format!("sqrt({})", crate::exact::rational::to_text(square));
-        self.letter(kind, series, None, &name, span).map(|v| number(Fraction::variable(v)))
+        let name = format!("sqrt({whole})");
+        let root = self.letter(LetterKind::SquareRoot(whole), series, None, &name, span)?;
+        Ok(number(Fraction::variable(root).times(&Fraction::number(&scale))))
     }
 
-    /// `1/scalar`; of a number with a radius, a new letter.
+    /// `1/scalar`: of square roots by their conjugates, of another number with a radius a new letter.
     pub(super) fn reciprocal(
         &mut self,
         scalar: Scalar,
@@ -104,6 +120,13 @@ impl Reader<'_> {
         if parameters || !letters.iter().any(occurs) {
             return Ok(vec![(Fraction::number(&Rational::one()).over(&divisor), None)]);
         }
+        if let Some((above, below)) = self.rationalised(&divisor) {
+            if below.is_zero() {
+                return Err(self.error(zero, span));
+            }
+            let above = Fraction { numerator: above, denominator: Laurent::integer(1) };
+            return Ok(vec![(above.times(&Fraction::number(&below.recip())), None)]);
+        }
         let (center, radius) = self.ball(&divisor.numerator);
         let (below, below_radius) = self.ball(&divisor.denominator);
         if center.abs() <= radius || below.abs() <= below_radius {
@@ -119,6 +142,25 @@ impl Reader<'_> {
         let series = EnclosedSeries::new(&[cut], spread + unit.recip());
         let quotient = self.letter(LetterKind::Quotient, series, None, "q", span)?;
         Ok(vec![(Fraction::variable(quotient), None)])
+    }
+
+    /// One over a number in which no letters are but square roots, as a polynomial in them over a fraction: `1/(a + b √s)` is
+    /// `(a − b √s)/(a² − b² s)`.
+    fn rationalised(&self, divisor: &Fraction) -> Option<(Laurent, Rational)> {
+        let reduce = |polynomial| self.names.reduce(polynomial);
+        let (mut above, mut below) =
+            (divisor.denominator.clone(), reduce(divisor.numerator.clone()));
+        for (variable, _) in self.names.letters() {
+            if let [even, odd] = below.coefficients(variable).as_slice() {
+                let conjugate = even.clone() - odd * &Laurent::variable(variable);
+                (above, below) = (reduce(&above * &conjugate), reduce(&below * &conjugate));
+            }
+        }
+        let only_roots = |(variable, letter): (Variable, &Letter)| {
+            matches!(letter.kind, LetterKind::SquareRoot(_)) || !above.contains(variable)
+        };
+        let below = Rational::from(below.as_constant()?);
+        self.names.letters().all(only_roots).then_some((above, below))
     }
 
     /// A polynomial in constant letters as a number within a radius.

@@ -154,19 +154,29 @@ fn what_vanishes_for_the_weights_at_hand_is_looked_at_again() {
 }
 
 #[test]
-fn numbers_that_may_cancel_make_no_scheme_unstable() {
+fn numbers_cancel_exactly_or_make_no_scheme_unstable() {
     // Leapfrog and a term that drives it out of the circle, unless its coefficient is 0.
-    let evidence = |number: &str| {
+    let limit = |number: &str| {
         let text = format!("u[n+1,j] = u[n-1,j] - C*(u[n,j+1] - u[n,j-1]) + ({number})*u[n,j]");
-        let set = Step::from_text(&text).unwrap().stable_set("C", &Default::default()).unwrap();
-        assert_eq!(set.limit().lower(), 0.0);
-        set.limit().evidence()
+        Step::from_text(&text).unwrap().limit("C").unwrap()
     };
-    for zero in ["sqrt(8) - 2*sqrt(2)", "sqrt(2)*sqrt(3) - sqrt(6)", "1/sqrt(2) - sqrt(2)/2"] {
-        assert_eq!(evidence(zero), Evidence::Undecided, "{zero}");
+    for zero in [
+        "sqrt(8) - 2*sqrt(2)",
+        "sqrt(2)*sqrt(3) - sqrt(6)",
+        "sqrt(6) - sqrt(2)*sqrt(3)",
+        "sqrt(2/3) - sqrt(6)/3",
+        "1/sqrt(2) - sqrt(2)/2",
+        "1/(sqrt(3) - sqrt(2)) - sqrt(3) - sqrt(2)",
+        "sqrt(2)^4 - 4",
+    ] {
+        let exact = limit(zero).exact().and_then(|exact| exact.as_fraction().cloned());
+        assert_eq!(exact, Some(integer(1)), "{zero}");
     }
-    for other in ["sqrt(8) - 2", "sqrt(2)*sqrt(3) - sqrt(5)", "pi - 3"] {
-        assert_eq!(evidence(other), Evidence::Proved, "{other}");
+    let open = limit("pi*(1/pi) - 1");
+    assert_eq!((open.lower(), open.evidence()), (0.0, Evidence::Undecided));
+    for other in ["sqrt(8) - 2", "sqrt(2)*sqrt(3) - sqrt(5)", "1/sqrt(2) - sqrt(3)/2", "pi - 3"] {
+        let never = limit(other);
+        assert_eq!((never.upper(), never.evidence()), (0.0, Evidence::Proved), "{other}");
     }
 }
 
