@@ -143,8 +143,8 @@ impl WithSimd for Sampling<'_> {
                 let constant = simd.sub_f64s(simd.splat_f64s(*constant), before);
                 let sum = simd.add_f64s(simd.mul_f64s(cosine, last), constant);
                 simd.partial_store_f64s(&mut sums, sum);
-                for lane in 0..count {
-                    self.values[(first + lane) * powers + power] = sums[lane];
+                for (lane, sum) in sums[..count].iter().enumerate() {
+                    self.values[(first + lane) * powers + power] = *sum;
                 }
             }
         }
