@@ -2,6 +2,7 @@
 //! advance them.
 
 pub mod advection;
+mod bisection;
 pub mod boundary;
 pub mod comparison;
 pub mod field;
