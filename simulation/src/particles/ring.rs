@@ -99,7 +99,7 @@ impl Ring {
     /// let kernel = SmoothingKernel::new(Kernel::CubicSpline);
     /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: 1.0 };
     /// let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
-    /// let gph1 = Godunov::new(SumOfSquares, solver);
+    /// let gph1 = Godunov { weight: SumOfSquares, solver, work: PairWork::Mean };
     /// let euler = Integrator::named("euler").unwrap().nystrom().unwrap();
     /// let step = ring.amplification(&gph1, &euler, 0.1, 3, 1e-5)?;
     /// assert!((step[0][1].re - 0.1).abs() < 1e-10); // x' = x + dt v
