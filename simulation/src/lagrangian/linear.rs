@@ -232,28 +232,6 @@ mod tests {
         scheme.step(Some(&lattice), None, values, Some("C")).expect("it is a scheme")
     }
 
-    /// The characteristic variables of sound are advected by Godunov SPH to either side.
-    #[test]
-    fn sound_is_godunov_sph_both_ways() {
-        for (kernel, l) in [(Kernel::CubicSpline, ratio(2, 1)), (Kernel::Gaussian, ratio(3, 2))] {
-            let [sound, one_way] = ["lagrangian-sound", "godunov-sph"]
-                .map(|name| step(name, kernel, &l, &[]).compile().expect("one dimension"));
-            for index in 1..=24 {
-                let phase = TAU * f64::from(index) / 48.0;
-                for courant in [0.4, 1.7] {
-                    let found = sound.multipliers(&[courant], &[phase]);
-                    let g = one_way.multipliers(&[courant], &[phase])[0];
-                    let apart = |a: Complex64, b: Complex64| {
-                        (found[0] - a).norm().max((found[1] - b).norm())
-                    };
-                    // A dozen terms below 2; where both meet, the root of their roundings.
-                    let gap = g.im.abs().max(1e-8);
-                    assert!(apart(g, g.conj()).min(apart(g.conj(), g)) < 1e-14 / gap + 1e-13);
-                }
-            }
-        }
-    }
-
     #[test]
     fn the_running_step_is_the_symbol_in_characteristic_variables() {
         let lattices: [(Kernel, Rational); 3] = [
