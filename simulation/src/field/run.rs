@@ -150,8 +150,7 @@ impl<const D: usize> Task<D> for Plan<'_, D> {
         let mut history = vec![Sample { time: 0.0, measures: meter.measure(&system, 0.0) }];
         let table = table(options.integrator)?;
         let mut evolution = ParticleEvolution::stepped(system, force, options, &table);
-        let limits = Limits { steps: options.max_steps };
-        limits.check(&mut evolution, scene.end_time)?;
+        Limits::default().check(&mut evolution, scene.end_time)?;
         let observe = |state: &ParticleEvolution<D, G>, time: f64| {
             let due = history.len() as f64 * scene.end_time / f64::from(SAMPLES);
             if time >= due * (1.0 - 1e-9) {
@@ -160,7 +159,7 @@ impl<const D: usize> Task<D> for Plan<'_, D> {
             observe(time)
         };
         let end = |state: &ParticleEvolution<D, G>| profile(state.system());
-        let run = Run::of(&mut evolution, scene.end_time, limits, observe, end);
+        let run = Run::of(&mut evolution, scene.end_time, observe, end);
         let errors = errors::<D>(scene, &run.profile, run.time);
         let measures = meter.measure(evolution.system(), run.time);
         Ok(FieldRun { initial, run, errors, history, measures })

@@ -3,6 +3,7 @@
 
 use super::{LagrangianOptions, LagrangianScheme, LagrangianState};
 use crate::boundary::Boundary;
+use crate::march::Evolution;
 use crate::riemann::{IdealGas, State};
 use crate::run::{InvalidOptions, Reason};
 use crate::scene::MassLattice;
