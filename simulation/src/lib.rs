@@ -10,6 +10,7 @@ pub mod finite_volume;
 pub mod gravity;
 pub mod lagrangian;
 pub mod lattice;
+mod linearisation;
 pub mod march;
 pub mod method;
 pub mod particles;

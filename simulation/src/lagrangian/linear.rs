@@ -3,6 +3,7 @@
 
 use super::{LagrangianOptions, LagrangianScheme, LagrangianState};
 use crate::boundary::Boundary;
+use crate::linearisation::linearisation;
 use crate::march::Evolution;
 use crate::riemann::{IdealGas, State};
 use crate::run::{InvalidOptions, Reason};
@@ -63,7 +64,7 @@ impl Characteristics {
     }
 }
 
-/// The disturbance of a particle in units of its specific volume whose response is measured. The fluxes
+/// The disturbance of the particles in units of its specific volume whose response is measured. The fluxes
 /// have terms like `ε|ε|` (the larger of two speeds), so that a central difference is off by about ε, and
 /// the round-off of a step counts as 1e-16/ε.
 const DISTURBANCE: f64 = 1e-7;
@@ -126,30 +127,12 @@ impl UniformFlow {
         courant: f64,
         mode: usize,
     ) -> Result<[[Complex64; 3]; 3], NoMeasurement> {
-        let phase = TAU * mode as f64 / self.particles as f64;
-        let mut matrix = [[Complex64::default(); 3]; 3];
-        for column in 0..3 {
-            let mut responses = Vec::with_capacity(2);
-            for sign in [1.0, -1.0] {
-                let mut scheme = self.scheme(options, |i| {
-                    let mut strengths = [0.0; 3];
-                    if i == 0 {
-                        strengths[column] = sign * DISTURBANCE;
-                    }
-                    strengths
-                })?;
-                let step = courant * scheme.spacing() / self.sound();
-                scheme.advance(step).map_err(NoMeasurement::Breakdown)?;
-                responses.push(self.strengths(&scheme));
-            }
-            for (i, (plus, minus)) in responses[0].iter().zip(&responses[1]).enumerate() {
-                let turn = Complex64::from_polar(1.0, -phase * i as f64);
-                for (row, line) in matrix.iter_mut().enumerate() {
-                    line[column] += turn * ((plus[row] - minus[row]) / (2.0 * DISTURBANCE));
-                }
-            }
-        }
-        Ok(matrix)
+        linearisation(self.particles, mode, [DISTURBANCE; 3], |strengths| {
+            let mut scheme = self.scheme(options, |i| strengths[i])?;
+            let step = courant * scheme.spacing() / self.sound();
+            scheme.advance(step).map_err(NoMeasurement::Breakdown)?;
+            Ok(self.strengths(&scheme))
+        })
     }
 
     /// Runs `steps` steps at Courant number `courant` from a wave `a e^{iφj}` of one family (0, 1, 2 for
@@ -264,7 +247,7 @@ mod tests {
                             for (column, value) in line.iter().enumerate() {
                                 let target =
                                     if row == column { wanted[row] } else { Complex64::default() };
-                                // See DISTURBANCE: each of 24 responses is off by a few of it.
+                                // See DISTURBANCE: each response is off by a few of it.
                                 assert!(
                                     (value - target).norm() < 30.0 * DISTURBANCE,
                                     "{kernel} {flux:?} C = {courant} mode {mode} [{row}][{column}]"
