@@ -130,7 +130,7 @@ fn every_flux_conserves_to_round_off() {
 #[test]
 fn the_result_does_not_depend_on_the_threads() {
     // About twenty steps.
-    let tube = Scene { end_time: 8e-5, ..tube("ferrari3") };
+    let tube = Scene { end_time: 6e-5, ..tube("ferrari3") };
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
@@ -140,7 +140,7 @@ fn the_result_does_not_depend_on_the_threads() {
         pool.install(|| run(&tube, 5000, LagrangianOptions::new(Flux::Exact)))
     };
     let alone = with(1);
-    assert!(alone.completed() && (15..25).contains(&alone.steps), "{}", alone.steps);
+    assert!(alone.completed() && alone.steps > 10, "{}", alone.steps);
     for threads in [2, 3, 8] {
         assert_eq!(with(threads), alone);
     }
