@@ -4,6 +4,7 @@
 mod figure_1;
 mod figure_2;
 mod hard_cases;
+mod printed_growth;
 pub mod section_3;
 mod table_1;
 
@@ -14,11 +15,7 @@ use crate::page::{Item, Section};
 use crate::paper_text::PaperText;
 use crate::part::Part;
 use crate::report::Detail;
-use crate::study::plan::discretisation;
-use crate::study::{disorder, growth, limits_by_run, limits_cost, predicted_measured, speed};
-use courant_analysis::exact::rational::to_f64;
-use courant_analysis::kernel::Kernel;
-use courant_simulation::advection::AdvectionScheme;
+use crate::study::{disorder, limits_by_run, limits_cost, predicted_measured, speed};
 use std::sync::LazyLock;
 
 /// The words of the report, and what it shows.
@@ -47,7 +44,7 @@ pub fn parts(table: Table1, detail: Detail) -> Vec<Part> {
         Part::new("limits with proof", move || Ok(proofs(detail))),
         Part::new("Figure 2", || Ok(vec![figure_2::section()])),
         study("predicted against measured", predicted_measured::section),
-        Part::new("growth at printed limits", || Ok(vec![printed_growth()])),
+        Part::new("growth at printed limits", || Ok(vec![printed_growth::section()])),
         study("limits by run", limits_by_run::section),
         study("disordered positions", disorder::section),
         study("work against error", speed::section),
@@ -62,15 +59,4 @@ fn proofs(detail: Detail) -> Vec<Section> {
         || vec![hard_cases::table(), limits_cost::roots(text())],
     );
     vec![text().section("title_limits_cost", cost), text().section("title_hard_cases", hard)]
-}
-
-/// What a run does at the Courant numbers that Table 1 prints as stable.
-fn printed_growth() -> Section {
-    let printed = published_values().into_iter().filter(|v| v.kind == LimitKind::Stability);
-    let cases = printed.map(|value| {
-        let of = discretisation(AdvectionScheme::GodunovSph, value.kernel, &value.ratio);
-        (of, to_f64(&value.courant))
-    });
-    let cases: Vec<_> = cases.collect();
-    growth::section(text(), &cases, &[Kernel::Gaussian, Kernel::CubicSpline])
 }

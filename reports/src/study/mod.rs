@@ -29,7 +29,6 @@
 pub mod convergence;
 pub mod courant_number;
 pub mod disorder;
-pub mod growth;
 pub mod kernel_waves;
 pub mod limits_by_run;
 pub mod limits_cost;

@@ -100,6 +100,6 @@ pub fn phases(count: usize) -> Vec<f64> {
 }
 
 /// `(a) `, `(b) ` and so on.
-pub(super) fn letter(index: usize) -> String {
+pub(crate) fn letter(index: usize) -> String {
     format!("({}) ", char::from(b'a' + index as u8))
 }

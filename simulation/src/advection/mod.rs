@@ -8,18 +8,13 @@
 //! [measure](validate) confirms what is predicted.
 
 mod amplification;
-mod cost;
-mod disorder;
 mod faulty;
-mod growth;
 mod lattice_path;
-mod limit;
 mod method;
 mod modes;
 mod neighbours;
 mod particle_path;
 mod profile;
-mod published;
 mod random;
 mod ring;
 mod run;
@@ -28,20 +23,12 @@ mod scheme;
 mod stepper;
 
 pub use amplification::{ModeRow, Validation, ValidationError, ValidationPlan, validate};
-pub use cost::{Recommendation, pareto_front, recommend};
-pub use disorder::{DisorderGrowth, DisorderRow, DisorderStudy, gain_against_disorder};
 pub use faulty::Fault;
-pub use growth::{Growth, GrowthPlan, GrowthVerdict, measure_growth, seed_with_noise};
 pub use lattice_path::{LatticeCoefficients, LatticePath};
-pub use limit::{
-    LimitComparison, LongRun, MeasuredLimit, NoBracket, compare_limits, long_run,
-    measured_stability_limit,
-};
 pub use method::{Method, MethodError};
 pub use modes::RingModes;
 pub use particle_path::ParticlePath;
 pub use profile::{Comparison, Extrema, total_variation};
-pub use published::{CriticalGrowth, growth_at};
 pub use random::SplitMix64;
 pub use ring::{Ring, RingError};
 pub use run::{AdvectionRun, Layout, PlanError, RunPlan, run, run_with};

@@ -7,7 +7,15 @@ use num_complex::Complex64;
 ///
 /// Hessenberg form by reflections, then QR steps with Wilkinson's shift (Golub & Van Loan 2013, chapter 7): each is exact for a
 /// matrix within a few `ε ‖A‖`.
-pub(crate) fn eigenvalues(matrix: &[Vec<Complex64>]) -> Vec<Complex64> {
+///
+/// ```
+/// use num_complex::Complex64;
+/// let turn = [[0.0, -1.0], [1.0, 0.0]].map(|row| row.map(Complex64::from).to_vec());
+/// for value in courant_simulation::stepping::eigenvalues(&turn) {
+///     assert!((value * value + 1.0).norm() < 1e-15);   // i and −i
+/// }
+/// ```
+pub fn eigenvalues(matrix: &[Vec<Complex64>]) -> Vec<Complex64> {
     let mut a = matrix.to_vec();
     let size = a.len();
     let unknown = Complex64::new(f64::NAN, f64::NAN);

@@ -19,7 +19,7 @@ mod stages;
 mod torus_scheme;
 mod validation;
 
-pub(crate) use eigenvalues::eigenvalues;
+pub use eigenvalues::eigenvalues;
 pub use lattice::PerAxis;
 pub use runs::Run;
 pub use torus_scheme::{Torus, TorusScheme};

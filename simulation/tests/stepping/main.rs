@@ -164,12 +164,17 @@ fn scheme_at(file: &SchemeFile, value: f64) -> Result<TorusScheme, SteppingError
     )
 }
 
+/// The limit of the literature, if it is a number above 0.
+fn known_limit(file: &SchemeFile) -> Option<f64> {
+    let known = file.known.stability.as_ref()?;
+    catalogue::approximate(&known.value).filter(|limit| *limit > 0.0)
+}
+
 #[test]
 fn runs_from_noise_confirm_every_known_limit() {
     let mut limits = 0;
     for file in catalogue::schemes() {
-        let known = file.known.stability.as_ref().and_then(|k| catalogue::approximate(&k.value));
-        let Some(limit) = known.filter(|limit| *limit > 0.0) else { continue };
+        let Some(limit) = known_limit(file) else { continue };
         if scheme_at(file, limit).unwrap().dimension() > 1 {
             // Some are run in `torus.rs`: runs of several dimensions are long.
             continue;

@@ -1,7 +1,9 @@
 //! Work against error of schemes, kernels, ratios and Courant numbers on sets of data.
 
+mod pareto;
 mod recommendation;
 
+use self::pareto::pareto_front;
 use super::plan::{ByDetail, Named, discretisation, letter};
 use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::page::{Item, Section};
@@ -11,7 +13,7 @@ use crate::{cells, words};
 use courant_analysis::exact::rational::{Rational, integer};
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
-    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, Method, RunPlan, pareto_front, run,
+    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, Method, RunPlan, run,
 };
 use rayon::prelude::*;
 use serde::Deserialize;

@@ -1,11 +1,12 @@
 //! The cheapest choice for an error.
 
+use super::pareto::cheapest;
 use super::{Choice, Test};
 use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::PaperText;
-use courant_simulation::advection::{Method, recommend};
+use courant_simulation::advection::Method;
 
 fn describe(choice: &Choice) -> String {
     let Method { scheme, kernel, ratio, courant_number } = choice.method;
@@ -22,9 +23,10 @@ pub(super) fn table(text: &PaperText, tests: &[Test<'_>]) -> Item {
     let mut rows = Vec::new();
     for test in tests {
         for among in &test.plan.among {
-            for found in recommend(&test.costs(among), &test.plan.targets) {
-                let mut row = cells![test.data.name, among.name, format!("{:.0e}", found.target)];
-                row.extend(match found.choice.map(|index| &test.points[index]) {
+            let costs = test.costs(among);
+            for &target in &test.plan.targets {
+                let mut row = cells![test.data.name, among.name, format!("{target:.0e}")];
+                row.extend(match cheapest(&costs, target).map(|index| &test.points[index]) {
                     Some(point) => cells![
                         describe(&test.choices[point.choice]),
                         point.particles,

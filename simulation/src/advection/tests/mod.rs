@@ -1,6 +1,5 @@
 mod paths;
 mod runs;
-mod stability;
 mod validation;
 
 use super::*;

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::scene::Quantity;
-use proptest::prelude::*;
 use std::f64::consts::PI;
 
 fn named(name: &str) -> AdvectionScene {
@@ -196,24 +195,4 @@ fn plans_out_of_range_are_refused() {
     );
     assert_eq!(with(|p| p.scene.end_time = 0.0), PlanError::EndTime(0.0));
     assert_eq!(with(|p| p.particles = 0), PlanError::Ring(RingError::Empty));
-}
-
-proptest! {
-    #[test]
-    fn the_front_is_what_nothing_beats(points in prop::collection::vec((0u8..20, 0u8..20), 1..40)) {
-        let points: Vec<(f64, f64)> =
-            points.into_iter().map(|(a, b)| (f64::from(a), f64::from(b))).collect();
-        let front = pareto_front(&points);
-        for (index, &(cost, error)) in points.iter().enumerate() {
-            let beaten = points.iter().enumerate().any(|(other, &(c, e))| {
-                c <= cost && e <= error && ((c, e) != (cost, error) || other < index)
-            });
-            prop_assert_eq!(front.contains(&index), !beaten);
-        }
-        for target in [0.0, 5.0, 19.0] {
-            let found = recommend(&points, &[target])[0];
-            let cheapest = points.iter().filter(|p| p.1 <= target).map(|p| p.0).reduce(f64::min);
-            prop_assert_eq!(found.choice.map(|index| points[index].0), cheapest);
-        }
-    }
 }
