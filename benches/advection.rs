@@ -49,16 +49,9 @@ fn particles(criterion: &mut Criterion) {
                 let mut path = ParticlePath::new(method(scheme, ratio), &ring);
                 path.set_state(&smooth(particles));
                 let pairs = path.interactions_per_step() as f64 / particles as f64;
-                // Two operations and a weight per pair and sum; the neighbour's index once per sum.
-                let (sums, entry) = match scheme {
-                    AdvectionScheme::LaxWendroffSph => (2.0, 24.0),
-                    AdvectionScheme::GodunovSph | AdvectionScheme::EulerSph => (1.0, 12.0),
-                };
-                let name = format!(
-                    "{scheme}, ratio {ratio}, {:.0} flop, {:.0} B",
-                    2.0 * sums * pairs,
-                    entry * pairs + 16.0
-                );
+                // Two operations, a weight and an index per pair.
+                let (flop, bytes) = (2.0 * pairs, 16.0 * (pairs + 1.0));
+                let name = format!("{scheme}, ratio {ratio}, {flop:.0} flop, {bytes:.0} B");
                 group.bench_function(BenchmarkId::new(name, particles), |bencher| {
                     bencher.iter(|| path.step());
                 });

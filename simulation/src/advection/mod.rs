@@ -12,7 +12,6 @@ mod faulty;
 mod lattice_path;
 mod method;
 mod modes;
-mod neighbours;
 mod particle_path;
 mod profile;
 mod random;

@@ -1,7 +1,6 @@
 //! Edges of supports, the two paths, and what they keep.
 
 use super::*;
-use crate::advection::neighbours::Neighbours;
 use courant_analysis::kernel::lattice::LatticeWeights;
 use proptest::prelude::*;
 
@@ -13,19 +12,14 @@ const RATIOS: [&str; 10] = ["1", "4/3", "2/3", "10/3", "1.3", "1.2", "0.3", "2",
 fn the_edge_of_the_support_is_decided_as_the_analysis_does() {
     for ratio in RATIOS {
         let weights = LatticeWeights::new(Kernel::Gaussian, &exact(ratio)).unwrap();
+        let method = method(AdvectionScheme::EulerSph, Kernel::Gaussian, ratio, 1.0);
         let reach = weights.reach();
         for (particles, length) in [(40, 40.0), (200, 1.0), (997, 1.0), (20_000, 1.0)] {
             let ring = Ring::uniform(particles, length).unwrap();
-            let support = 3.0 * to_f64(&exact(ratio)) * ring.spacing();
-            let found = Neighbours::find(&ring, support);
-            assert_eq!(found.pairs(), (2 * reach * particles) as u64, "{ratio} on {particles}");
+            let found = ParticlePath::new(method, &ring).interactions_per_step();
+            assert_eq!(found, (2 * reach * particles) as u64, "{ratio} on {particles}");
         }
-        let coefficients = LatticeCoefficients::new(method(
-            AdvectionScheme::EulerSph,
-            Kernel::Gaussian,
-            ratio,
-            1.0,
-        ));
+        let coefficients = LatticeCoefficients::new(method);
         assert_eq!(
             (coefficients.left, coefficients.values.len()),
             (reach, 2 * reach + 1),

@@ -107,7 +107,7 @@ fn work_is_counted() {
         (AdvectionScheme::GodunovSph, Layout::Lattice, 3),
         (AdvectionScheme::EulerSph, Layout::Lattice, 6),
         (AdvectionScheme::LaxWendroffSph, Layout::Lattice, 6),
-        (AdvectionScheme::GodunovSph, Layout::Uniform, 8),
+        (AdvectionScheme::GodunovSph, Layout::Uniform, 4),
         (AdvectionScheme::EulerSph, Layout::Uniform, 8),
         (AdvectionScheme::LaxWendroffSph, Layout::Uniform, 8),
     ] {
