@@ -10,6 +10,7 @@
 
 use courant_simulation::lagrangian::flux::{Flux, ModifiedRoe};
 use courant_simulation::lagrangian::{LagrangianOptions, LagrangianScheme};
+use courant_simulation::march::Evolution;
 use courant_simulation::riemann::{IdealGas, State, solve};
 use courant_simulation::scene::Scene;
 use criterion::{Bencher, Criterion, Throughput};

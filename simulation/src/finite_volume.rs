@@ -12,14 +12,12 @@ use crate::scene::{Scene, conserved_density};
 pub struct FiniteVolumeOptions {
     /// The Courant number: `Δt = cfl Δx / S` with `S` the fastest wave of any face.
     pub cfl: f64,
-    /// A run that is not done after so many steps fails.
-    pub max_steps: usize,
 }
 
 impl Default for FiniteVolumeOptions {
     /// Courant number 0.9, Toro's customary choice.
     fn default() -> Self {
-        Self { cfl: 0.9, max_steps: 1_000_000 }
+        Self { cfl: 0.9 }
     }
 }
 

@@ -2,6 +2,7 @@
 //! advance them.
 
 pub mod advection;
+mod bisection;
 pub mod boundary;
 pub mod comparison;
 pub mod field;
@@ -9,6 +10,7 @@ pub mod finite_volume;
 pub mod gravity;
 pub mod lagrangian;
 pub mod lattice;
+mod linearisation;
 pub mod march;
 pub mod method;
 pub mod particles;

@@ -31,8 +31,12 @@ pub struct Limits {
     pub steps: usize,
 }
 
-/// Nobody waits for more steps than this.
-const MOST_STEPS: usize = 1_000_000;
+impl Default for Limits {
+    /// Nobody waits for more steps than a million.
+    fn default() -> Self {
+        Self { steps: 1_000_000 }
+    }
+}
 
 impl Limits {
     /// Refuses a run that would need more steps of the size of the first than anybody waits for.
@@ -45,11 +49,10 @@ impl Limits {
         end_time: f64,
     ) -> Result<(), InvalidOptions> {
         let needed = evolution.time_step().map_or(0.0, |step| end_time / step);
-        let most = self.steps.max(MOST_STEPS);
-        match needed.is_finite() && needed > most as f64 {
+        match needed.is_finite() && needed > self.steps as f64 {
             true => {
                 let what = "steps of the size of the first";
-                Err(InvalidOptions::TooMuch { what, needed, most })
+                Err(InvalidOptions::TooMuch { what, needed, most: self.steps })
             }
             false => Ok(()),
         }

@@ -41,7 +41,6 @@ pub(crate) struct Start {
     pub evolution: Box<dyn Lined + Send>,
     /// Particles beyond the ends.
     pub waiting: [usize; 2],
-    pub max_steps: usize,
 }
 
 /// More particles than this are not run: they would fill the memory of a usual machine.
@@ -184,12 +183,11 @@ impl Method {
         particles: usize,
         mut observe: impl FnMut(f64) -> ControlFlow<()> + Send,
     ) -> Result<Run, InvalidOptions> {
-        let Start { mut evolution, waiting, max_steps } = self.start(scene, particles)?;
-        let limits = Limits { steps: max_steps };
+        let Start { mut evolution, waiting } = self.start(scene, particles)?;
         // Inside the pool a small parallel loop costs no hand-over between threads.
         let observe = |_: &_, time| observe(time);
         let mut run = rayon::scope(|_| {
-            Run::of(&mut *evolution, scene.end_time, limits, observe, |state| state.profile())
+            Run::of(&mut *evolution, scene.end_time, observe, |state| state.profile())
         });
         run.waiting = waiting;
         run.warnings.extend(self.unresolved(scene, particles));
@@ -231,16 +229,14 @@ impl Method {
             Self::FiniteVolume(options) => Start {
                 evolution: Box::new(Grid::new(scene, particles, options.cfl)),
                 waiting: [0; 2],
-                max_steps: options.max_steps,
             },
             Self::Particles(options) => particles::start(scene, particles, options)?,
             Self::Lagrangian(options) => {
                 let scheme = LagrangianScheme::new(scene, particles, options)?;
-                let (waiting, max_steps) = (scheme.waiting(), options.max_steps);
-                Start { evolution: Box::new(scheme), waiting, max_steps }
+                Start { waiting: scheme.waiting(), evolution: Box::new(scheme) }
             }
         };
-        Limits { steps: start.max_steps }.check(&mut *start.evolution, scene.end_time)?;
+        Limits::default().check(&mut *start.evolution, scene.end_time)?;
         Ok(start)
     }
 

@@ -1,7 +1,8 @@
 //! The waves of a Riemann problem in a profile.
 
 use super::Columns;
-use crate::riemann::Wave;
+use crate::bisection::root;
+use crate::riemann::{Solution, Wave};
 use crate::scene::Scene;
 
 /// Which wave.
@@ -70,7 +71,7 @@ pub(super) fn positions(
             Wave::Absent => return,
             Wave::Shock { speed } => (WaveKind::Shock, speed),
             Wave::Rarefaction { head, tail } => {
-                (WaveKind::Rarefaction, ray_of_pressure(scene, level, head, tail))
+                (WaveKind::Rarefaction, ray_of_pressure(&solution, level, head, tail))
             }
         };
         let exact = origin + ray * time;
@@ -89,14 +90,11 @@ pub(super) fn positions(
 }
 
 /// The ray of a rarefaction with a given pressure: the pressure is monotone along it.
-fn ray_of_pressure(scene: &Scene, level: f64, head: f64, tail: f64) -> f64 {
-    let (mut high, mut low) = (head, tail);
-    let Some((solution, _)) = scene.riemann() else { return head };
-    for _ in 0..100 {
-        let middle = 0.5 * (high + low);
-        if solution.sample(middle).pressure() > level { high = middle } else { low = middle }
-    }
-    0.5 * (high + low)
+fn ray_of_pressure(solution: &Solution, level: f64, head: f64, tail: f64) -> f64 {
+    // It falls from the head to the tail.
+    root(head.min(tail), head.max(tail), |ray| {
+        (solution.sample(ray).pressure() - level) * (head - tail).signum()
+    })
 }
 
 pub(super) fn contact_width(scene: &Scene, time: f64, x: &[f64], density: &[f64]) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! Numbers that say how well a flow is kept.
 
 use super::scene::{FieldFlow, FieldScene, FieldSolution};
-use crate::particles::{Gas, ParticleSystem};
+use crate::particles::{Gas, ParticleSystem, Vector, dot};
 use std::f64::consts::PI;
 
 /// A name and a number.
@@ -37,6 +37,7 @@ impl<'a, const D: usize> Meter<'a, D> {
         let middle = mean(count, |i| density[i]);
         let scatter = mean(count, |i| (density[i] / middle - 1.0).powi(2)).sqrt();
         let exact = |i: usize| self.solution.at(state.position[i], time);
+        let radius = |i: usize| norm(&state.position[i]);
         let velocity_error = |i: usize| {
             let exact = exact(i).map_or([0.0; D], |state| state.velocity);
             (0..D).map(|axis| (state.velocity[i][axis] - exact[axis]).powi(2)).sum::<f64>()
@@ -60,20 +61,14 @@ impl<'a, const D: usize> Meter<'a, D> {
                 ]
             }
             FieldFlow::Gresho { .. } => {
-                let radius = |i: usize| state.position[i].iter().map(|x| x * x).sum::<f64>().sqrt();
                 let near_peak = |i: &usize| (0.15..0.25).contains(&radius(*i));
-                let turning = |i: usize| {
-                    let (x, v) = (state.position[i], state.velocity[i]);
-                    (x[0] * v[1] - x[1] * v[0]) / radius(i)
-                };
+                let turning =
+                    |i: usize| turning(&state.position[i], &state.velocity[i]) / radius(i);
                 let ring: Vec<usize> = (0..count).filter(near_peak).collect();
                 let peak = mean(ring.len(), |k| turning(ring[k]));
                 // The mean of 5r and 2 − 5r over the ring, by area.
-                let exact_peak = mean(ring.len(), |k| {
-                    exact(ring[k]).map_or(0.0, |state| {
-                        state.velocity.iter().map(|v| v * v).sum::<f64>().sqrt()
-                    })
-                });
+                let exact_peak =
+                    mean(ring.len(), |k| exact(ring[k]).map_or(0.0, |state| norm(&state.velocity)));
                 vec![
                     ("velocity_scatter", mean(count, velocity_error).sqrt()),
                     ("kinetic_energy_left", kinetic_energy(system) / self.kinetic_energy),
@@ -83,7 +78,6 @@ impl<'a, const D: usize> Meter<'a, D> {
                 ]
             }
             FieldFlow::Blast { density: before, .. } => {
-                let radius = |i: usize| state.position[i].iter().map(|x| x * x).sum::<f64>().sqrt();
                 // The densest hundredth is the shell.
                 let mut order: Vec<usize> = (0..count).collect();
                 order.sort_by(|&a, &b| density[b].total_cmp(&density[a]));
@@ -102,16 +96,21 @@ impl<'a, const D: usize> Meter<'a, D> {
 
 fn kinetic_energy<const D: usize, G: Gas>(system: &ParticleSystem<D, G>) -> f64 {
     let state = &system.particles;
-    let square = |i: usize| state.velocity[i].iter().map(|v| v * v).sum::<f64>();
-    (0..state.len()).map(|i| 0.5 * state.mass[i] * square(i)).sum()
+    let velocity = &state.velocity;
+    (0..state.len()).map(|i| 0.5 * state.mass[i] * dot(&velocity[i], &velocity[i])).sum()
 }
 
-/// About the origin, in the plane of the first two axes.
+fn norm<const D: usize>(x: &Vector<D>) -> f64 {
+    dot(x, x).sqrt()
+}
+
+/// The angular momentum about the origin, over the mass, in the plane of the first two axes.
+fn turning<const D: usize>(x: &Vector<D>, v: &Vector<D>) -> f64 {
+    x[0] * v[1] - x[1] * v[0]
+}
+
 fn angular_momentum<const D: usize, G: Gas>(system: &ParticleSystem<D, G>) -> f64 {
     let state = &system.particles;
-    let of = |i: usize| {
-        let (x, v) = (state.position[i], state.velocity[i]);
-        state.mass[i] * (x[0] * v[1] - x[1] * v[0])
-    };
+    let of = |i: usize| state.mass[i] * turning(&state.position[i], &state.velocity[i]);
     (0..state.len()).map(of).sum()
 }

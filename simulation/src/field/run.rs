@@ -3,11 +3,10 @@
 use super::measures::{Measure, Meter};
 use super::scene::{FieldFlow, FieldScene};
 use super::shear_viscosity::shear_response;
-use crate::boundary::Boundary;
 use crate::march::Limits;
 use crate::particles::{
     Domain, Gas, MethodOptions, PairForce, PairLoops, ParticleEvolution, ParticleSystem, Particles,
-    Smoothing, SmoothingKernel, Task, ThermalState, dispatch, table,
+    Smoothing, SmoothingKernel, Task, ThermalState, dispatch, dot, table,
 };
 use crate::run::{InvalidOptions, Run};
 use crate::scene::Material;
@@ -151,8 +150,7 @@ impl<const D: usize> Task<D> for Plan<'_, D> {
         let mut history = vec![Sample { time: 0.0, measures: meter.measure(&system, 0.0) }];
         let table = table(options.integrator)?;
         let mut evolution = ParticleEvolution::stepped(system, force, options, &table);
-        let limits = Limits { steps: options.max_steps };
-        limits.check(&mut evolution, scene.end_time)?;
+        Limits::default().check(&mut evolution, scene.end_time)?;
         let observe = |state: &ParticleEvolution<D, G>, time: f64| {
             let due = history.len() as f64 * scene.end_time / f64::from(SAMPLES);
             if time >= due * (1.0 - 1e-9) {
@@ -161,7 +159,7 @@ impl<const D: usize> Task<D> for Plan<'_, D> {
             observe(time)
         };
         let end = |state: &ParticleEvolution<D, G>| profile(state.system());
-        let run = Run::of(&mut evolution, scene.end_time, limits, observe, end);
+        let run = Run::of(&mut evolution, scene.end_time, observe, end);
         let errors = errors::<D>(scene, &run.profile, run.time);
         let measures = meter.measure(evolution.system(), run.time);
         Ok(FieldRun { initial, run, errors, history, measures })
@@ -183,8 +181,7 @@ pub(super) fn prepare<const D: usize, G: Gas>(
     let spacing = (volume / count as f64).powf(1.0 / D as f64);
     let kernel = SmoothingKernel::<D>::new(options.kernel);
     // The hot spot of an explosion is as wide as a kernel.
-    let square = |x: &[f64; D]| x.iter().map(|x| x * x).sum::<f64>();
-    let heat = |x: &[f64; D]| kernel.value(square(x).sqrt(), options.eta * spacing);
+    let heat = |x: &[f64; D]| kernel.value(dot(x, x).sqrt(), options.eta * spacing);
     let heats: f64 = filling.positions.iter().map(heat).sum();
     let density = match scene.flow {
         FieldFlow::Shear { density, .. }
@@ -237,18 +234,12 @@ fn with_viscosity(
 
 fn profile<const D: usize, G: Gas>(system: &ParticleSystem<D, G>) -> FieldProfile {
     let (state, domain) = (&system.particles, system.domain());
-    let inside = |axis: usize, x: f64| match domain.boundary[axis] {
-        [Boundary::Periodic, _] => {
-            let lower = domain.lower[axis];
-            lower + (x - lower).rem_euclid(domain.upper[axis] - lower)
-        }
-        _ => x,
-    };
+    let inside: Vec<_> = state.position.iter().map(|x| domain.wrap(x)).collect();
     let column = |of: &dyn Fn(usize, usize) -> f64| -> Vec<Vec<f64>> {
         (0..D).map(|axis| (0..state.len()).map(|i| of(i, axis)).collect()).collect()
     };
     FieldProfile {
-        position: column(&|i, axis| inside(axis, state.position[i][axis])),
+        position: column(&|i, axis| inside[i][axis]),
         velocity: column(&|i, axis| state.velocity[i][axis]),
         density: system.density().to_vec(),
         pressure: system.pressure().to_vec(),

@@ -1,5 +1,6 @@
 //! Sedov's point explosion in three dimensions.
 
+use crate::bisection::root;
 use std::f64::consts::PI;
 
 /// The similarity solution for one `γ`: Landau & Lifshitz, Fluid Mechanics, section 106.
@@ -57,12 +58,7 @@ impl SedovBlast {
             return None;
         }
         // ξ grows with V.
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..100 {
-            let middle = 0.5 * (low + high);
-            if self.distance(self.excess(middle)) < target { low = middle } else { high = middle }
-        }
-        let excess = self.excess(high);
+        let excess = self.excess(root(0.0, 1.0, |part| self.distance(self.excess(part)) - target));
         let [shape, sound] = self.density_and_sound(excess);
         let unit = 0.4 * r / time;
         let rho = density * shape;

@@ -2,6 +2,7 @@
 
 use super::expansion_wave::{ExpansionWave, Similarity};
 use super::sphere::Distribution;
+use crate::bisection::root;
 use crate::scene::Material;
 use serde::Deserialize;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -158,18 +159,6 @@ impl Cloud {
     /// `η + sin 2η/2 = √(2GM/R³) t`; 0 from the free-fall time on.
     pub fn fallen(&self, time: f64) -> f64 {
         let phase = (2.0 * self.constant * self.mass / self.radius.powi(3)).sqrt() * time;
-        let (mut low, mut high) = (0.0, FRAC_PI_2);
-        while high - low > 1e-15 {
-            let middle: f64 = 0.5 * (low + high);
-            if middle + 0.5 * (2.0 * middle).sin() < phase {
-                low = middle
-            } else {
-                high = middle
-            }
-            if middle == low && middle == high {
-                break;
-            }
-        }
-        low.cos().powi(2)
+        root(0.0, FRAC_PI_2, |eta| eta + 0.5 * (2.0 * eta).sin() - phase).cos().powi(2)
     }
 }

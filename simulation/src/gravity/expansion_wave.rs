@@ -1,5 +1,7 @@
 //! Shu's expansion-wave solution: the collapse of the singular isothermal sphere from the inside out.
 
+use super::runge_kutta::runge_kutta;
+use crate::bisection::root;
 use std::sync::LazyLock;
 
 /// A point of the similarity solution.
@@ -55,18 +57,6 @@ fn slope(log: f64, [log_density, v]: [f64; 2]) -> [f64; 2] {
     [common * (density - 2.0 / x * w), common * (density * w - 2.0 / x)]
 }
 
-/// One step of the classical method of fourth order.
-fn step(log: f64, y: [f64; 2], h: f64) -> [f64; 2] {
-    let along = |k: [f64; 2], part: f64| [y[0] + part * h * k[0], y[1] + part * h * k[1]];
-    let first = slope(log, y);
-    let second = slope(log + 0.5 * h, along(first, 0.5));
-    let third = slope(log + 0.5 * h, along(second, 0.5));
-    let fourth = slope(log + h, along(third, 1.0));
-    std::array::from_fn(|i| {
-        y[i] + h / 6.0 * (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i])
-    })
-}
-
 impl ExpansionWave {
     /// The solution, computed once.
     pub fn solution() -> &'static Self {
@@ -90,8 +80,9 @@ impl ExpansionWave {
             solution.values.push(y);
             solution.slopes.push(slope(log, y));
             loop {
-                let whole = step(log, y, h);
-                let half = step(log + 0.5 * h, step(log, y, 0.5 * h), 0.5 * h);
+                let whole = runge_kutta(slope, log, y, h);
+                let middle = runge_kutta(slope, log, y, 0.5 * h);
+                let half = runge_kutta(slope, log + 0.5 * h, middle, 0.5 * h);
                 let error = (0..2).map(|i| (half[i] - whole[i]).abs() / 15.0).fold(0.0, f64::max);
                 let scale = (TOLERANCE / error.max(1e-300)).powf(0.2).clamp(0.2, 2.0);
                 if error <= TOLERANCE * (1.0 + half[1].abs()) {
@@ -132,12 +123,7 @@ impl ExpansionWave {
 
     /// The `x` where the infall has reached a speed, in sound speeds.
     pub fn infall(&self, speed: f64) -> f64 {
-        let (mut low, mut high) = (0.0_f64, 1.0_f64);
-        for _ in 0..f64::MANTISSA_DIGITS {
-            let middle = 0.5 * (low + high);
-            if self.at(middle).velocity < -speed { low = middle } else { high = middle }
-        }
-        high
+        root(0.0, 1.0, |x| self.at(x).velocity + speed)
     }
 
     /// Hermite's cubic between two steps.

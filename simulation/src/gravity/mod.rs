@@ -13,6 +13,7 @@ mod expansion_wave;
 mod measures;
 mod octree;
 mod run;
+mod runge_kutta;
 mod self_gravity;
 mod sink;
 mod softening;

@@ -183,7 +183,7 @@ impl Plan<'_> {
         let table = table(options.integrator)?;
         let evolution = ParticleEvolution::stepped(system, force, options, &table);
         let mut evolution = evolution.under(gravity);
-        let limits = Limits { steps: options.max_steps };
+        let limits = Limits::default();
         // This also finds the fields at the start.
         limits.check(&mut evolution, cloud.end_time)?;
         let coarse = cloud.sink.and_then(|radius| coarse_sink(evolution.system(), radius));

@@ -159,12 +159,6 @@ impl BodyForce<3> for SelfGravity {
         change
     }
 
-    #[inline]
-    fn longest_step(&self, particle: usize, courant: f64, h: f64) -> f64 {
-        let a = self.acceleration(particle);
-        courant * (h / dot(&a, &a).sqrt()).sqrt()
-    }
-
     fn drift(&mut self, duration: f64) {
         if let Some(sink) = &mut self.sink {
             sink.position = plus_scaled(&sink.position, duration, &sink.velocity);

@@ -1,5 +1,6 @@
 //! Spheres of gas: how their mass is distributed, and particles placed so.
 
+use super::runge_kutta::runge_kutta;
 use crate::particles::{Gas, PairLoops, ParticleSystem, Rates, Vector, dot, plus_scaled};
 use crate::run::Reason;
 
@@ -29,14 +30,7 @@ fn lane_emden(extent: f64) -> (Growth, f64) {
     let mut table = vec![[0.0, 0.0]];
     for step in 0..STEPS {
         let x = step as f64 * h;
-        let along = |k: [f64; 2], part: f64| [y[0] + part * h * k[0], y[1] + part * h * k[1]];
-        let first = slope(x, y);
-        let second = slope(x + 0.5 * h, along(first, 0.5));
-        let third = slope(x + 0.5 * h, along(second, 0.5));
-        let fourth = slope(x + h, along(third, 1.0));
-        for i in 0..2 {
-            y[i] += h / 6.0 * (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]);
-        }
+        y = runge_kutta(slope, x, y, h);
         table.push([x + h, y[1]]);
     }
     (table, y[0])

@@ -1,19 +1,13 @@
 //! The tree against the sum over all pairs.
 
 use super::*;
+use crate::advection::SplitMix64;
 use crate::particles::{BodyForce, Particles, Vector, dot, plus_scaled};
 
 /// Numbers in (0, 1) that look random and are the same everywhere.
 fn scatter(count: usize, seed: u64) -> Vec<f64> {
-    let mut state = seed;
-    (0..count)
-        .map(|_| {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        })
-        .collect()
+    let mut random = SplitMix64::new(seed);
+    (0..count).map(|_| random.unit()).collect()
 }
 
 /// A ball with `M(r) ∝ r`, and smoothing lengths as they come with 50 neighbours.

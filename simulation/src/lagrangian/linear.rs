@@ -3,6 +3,8 @@
 
 use super::{LagrangianOptions, LagrangianScheme, LagrangianState};
 use crate::boundary::Boundary;
+use crate::linearisation::linearisation;
+use crate::march::Evolution;
 use crate::riemann::{IdealGas, State};
 use crate::run::{InvalidOptions, Reason};
 use crate::scene::MassLattice;
@@ -62,7 +64,7 @@ impl Characteristics {
     }
 }
 
-/// The disturbance of a particle in units of its specific volume whose response is measured. The fluxes
+/// The disturbance of the particles in units of its specific volume whose response is measured. The fluxes
 /// have terms like `ε|ε|` (the larger of two speeds), so that a central difference is off by about ε, and
 /// the round-off of a step counts as 1e-16/ε.
 const DISTURBANCE: f64 = 1e-7;
@@ -125,30 +127,12 @@ impl UniformFlow {
         courant: f64,
         mode: usize,
     ) -> Result<[[Complex64; 3]; 3], NoMeasurement> {
-        let phase = TAU * mode as f64 / self.particles as f64;
-        let mut matrix = [[Complex64::default(); 3]; 3];
-        for column in 0..3 {
-            let mut responses = Vec::with_capacity(2);
-            for sign in [1.0, -1.0] {
-                let mut scheme = self.scheme(options, |i| {
-                    let mut strengths = [0.0; 3];
-                    if i == 0 {
-                        strengths[column] = sign * DISTURBANCE;
-                    }
-                    strengths
-                })?;
-                let step = courant * scheme.spacing() / self.sound();
-                scheme.advance(step).map_err(NoMeasurement::Breakdown)?;
-                responses.push(self.strengths(&scheme));
-            }
-            for (i, (plus, minus)) in responses[0].iter().zip(&responses[1]).enumerate() {
-                let turn = Complex64::from_polar(1.0, -phase * i as f64);
-                for (row, line) in matrix.iter_mut().enumerate() {
-                    line[column] += turn * ((plus[row] - minus[row]) / (2.0 * DISTURBANCE));
-                }
-            }
-        }
-        Ok(matrix)
+        linearisation(self.particles, mode, [DISTURBANCE; 3], |strengths| {
+            let mut scheme = self.scheme(options, |i| strengths[i])?;
+            let step = courant * scheme.spacing() / self.sound();
+            scheme.advance(step).map_err(NoMeasurement::Breakdown)?;
+            Ok(self.strengths(&scheme))
+        })
     }
 
     /// Runs `steps` steps at Courant number `courant` from a wave `a e^{iφj}` of one family (0, 1, 2 for
@@ -232,28 +216,6 @@ mod tests {
         scheme.step(Some(&lattice), None, values, Some("C")).expect("it is a scheme")
     }
 
-    /// The characteristic variables of sound are advected by Godunov SPH to either side.
-    #[test]
-    fn sound_is_godunov_sph_both_ways() {
-        for (kernel, l) in [(Kernel::CubicSpline, ratio(2, 1)), (Kernel::Gaussian, ratio(3, 2))] {
-            let [sound, one_way] = ["lagrangian-sound", "godunov-sph"]
-                .map(|name| step(name, kernel, &l, &[]).compile().expect("one dimension"));
-            for index in 1..=24 {
-                let phase = TAU * f64::from(index) / 48.0;
-                for courant in [0.4, 1.7] {
-                    let found = sound.multipliers(&[courant], &[phase]);
-                    let g = one_way.multipliers(&[courant], &[phase])[0];
-                    let apart = |a: Complex64, b: Complex64| {
-                        (found[0] - a).norm().max((found[1] - b).norm())
-                    };
-                    // A dozen terms below 2; where both meet, the root of their roundings.
-                    let gap = g.im.abs().max(1e-8);
-                    assert!(apart(g, g.conj()).min(apart(g.conj(), g)) < 1e-14 / gap + 1e-13);
-                }
-            }
-        }
-    }
-
     #[test]
     fn the_running_step_is_the_symbol_in_characteristic_variables() {
         let lattices: [(Kernel, Rational); 3] = [
@@ -285,7 +247,7 @@ mod tests {
                             for (column, value) in line.iter().enumerate() {
                                 let target =
                                     if row == column { wanted[row] } else { Complex64::default() };
-                                // See DISTURBANCE: each of 24 responses is off by a few of it.
+                                // See DISTURBANCE: each response is off by a few of it.
                                 assert!(
                                     (value - target).norm() < 30.0 * DISTURBANCE,
                                     "{kernel} {flux:?} C = {courant} mode {mode} [{row}][{column}]"

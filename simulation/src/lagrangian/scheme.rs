@@ -38,21 +38,12 @@ pub struct LagrangianOptions {
     pub cfl: f64,
     /// Which state the step follows.
     pub step: StepRule,
-    /// A run that is not done after so many steps fails.
-    pub max_steps: usize,
 }
 
 impl LagrangianOptions {
     /// The paper's choices with a flux: cubic spline, `l/Δξ = 2`; Courant number 0.9.
     pub fn new(flux: Flux) -> Self {
-        Self {
-            kernel: Kernel::CubicSpline,
-            ratio: 2.0,
-            flux,
-            cfl: 0.9,
-            step: StepRule::Current,
-            max_steps: 1_000_000,
-        }
+        Self { kernel: Kernel::CubicSpline, ratio: 2.0, flux, cfl: 0.9, step: StepRule::Current }
     }
 }
 
@@ -231,16 +222,6 @@ impl LagrangianScheme {
         sum / weights
     }
 
-    /// Advances all particles by `step`.
-    ///
-    /// # Errors
-    /// The first particle that would no longer be physical; the state stays as it was.
-    pub fn advance(&mut self, step: f64) -> Result<(), Reason> {
-        self.fill_ghosts();
-        self.compute_fluxes();
-        self.gather(step)
-    }
-
     fn fill_ghosts(&mut self) {
         let (reach, total) = (self.lattice.reach(), self.states.len());
         for (end, boundary) in self.boundary.into_iter().enumerate() {
@@ -390,8 +371,14 @@ impl Evolution for LagrangianScheme {
         Ok(self.fixed_step.unwrap_or_else(|| self.courant_step()))
     }
 
+    /// Advances all particles by `step`.
+    ///
+    /// # Errors
+    /// The first particle that would no longer be physical; the state stays as it was.
     fn advance(&mut self, step: f64) -> Result<(), Reason> {
-        Self::advance(self, step)
+        self.fill_ghosts();
+        self.compute_fluxes();
+        self.gather(step)
     }
 
     fn divisible(&self) -> bool {

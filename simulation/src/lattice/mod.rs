@@ -67,11 +67,6 @@ impl Lattice {
         }
     }
 
-    /// The lattice of that name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|lattice| lattice.name() == name)
-    }
-
     /// The dimension of the space it fills.
     pub fn dimension(self) -> usize {
         match self {

@@ -33,6 +33,7 @@ pub struct BlockStepper<const D: usize, T> {
     /// Which velocity the heating uses.
     pub work: Work,
     rates: Rates<D, T>,
+    /// Of the last block, 0 the longest step.
     level: Vec<u32>,
     signal: Vec<f64>,
     active: Vec<u32>,
@@ -60,11 +61,6 @@ impl<const D: usize, T: ThermalState> BlockStepper<D, T> {
             wall_impulse: [0.0; D],
             substeps: 0,
         }
-    }
-
-    /// The levels of the last block, 0 the longest step.
-    pub fn levels(&self) -> &[u32] {
-        &self.level
     }
 
     /// Looks at the signal velocities where a block begins, the fields of the system being those of its

@@ -60,7 +60,7 @@ impl<const D: usize> Domain<D> {
     }
 
     /// The position inside the domain on its periodic axes: whole periods away.
-    pub(super) fn wrap(&self, x: &Vector<D>) -> Vector<D> {
+    pub(crate) fn wrap(&self, x: &Vector<D>) -> Vector<D> {
         std::array::from_fn(|axis| {
             let length = self.upper[axis] - self.lower[axis];
             if self.boundary[axis].contains(&Boundary::Periodic) {

@@ -57,13 +57,6 @@ impl PairWork {
     }
 }
 
-impl<W: PairWeight, S> Godunov<W, S> {
-    /// With the work as printed.
-    pub fn new(weight: W, solver: S) -> Self {
-        Self { weight, solver, work: W::WORK }
-    }
-}
-
 impl<W: PairWeight, S: StarSolver> PairForce for Godunov<W, S> {
     fn reach(&self) -> f64 {
         self.weight.reach()

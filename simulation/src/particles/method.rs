@@ -151,8 +151,6 @@ pub struct MethodOptions {
     pub viscosity: Viscosity,
     /// Global or block steps.
     pub sharing: StepSharing,
-    /// Steps after which a run is given up.
-    pub max_steps: usize,
 }
 
 impl MethodOptions {
@@ -185,7 +183,6 @@ impl MethodOptions {
             solver: SolverChoice::Published,
             viscosity: Viscosity::STANDARD,
             sharing: StepSharing::Global,
-            max_steps: 1_000_000,
         }
     }
 

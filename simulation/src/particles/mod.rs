@@ -39,7 +39,7 @@ pub use gas::{Gas, IsothermalGas};
 pub use godunov::{Godunov, PairWork};
 pub use integrator::{Integrator, NotExplicit, Nystrom, Stepper, Work, table};
 pub use method::{KernelEstimation, MethodOptions, ParticleMethod, SolverChoice, StepSharing};
-pub use neighbours::{Neighbours, Pair};
+pub use neighbours::Neighbours;
 pub use pair_force::{Exchange, PairEnd, PairForce};
 pub use pair_loops::PairLoops;
 pub use pair_weight::{Convolution, OwnKernels, PairWeight, Product, SumOfSquares};

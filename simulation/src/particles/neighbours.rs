@@ -8,19 +8,6 @@ use super::vector::{Vector, dot};
 /// Particles are handled in blocks of this many, whatever the number of threads.
 pub(super) const BLOCK: usize = 256;
 
-/// Two particles, or a particle and an image, not further apart than the larger of their radii.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair {
-    /// The particle with the lower number.
-    pub first: u32,
-    /// The other one, whose image is the other end.
-    pub second: u32,
-    /// Which image of the second: an index into [`Neighbours::images`].
-    pub image: usize,
-    /// Distance of the two ends.
-    pub distance: f64,
-}
-
 /// One of a particle's neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Neighbour {
@@ -228,23 +215,6 @@ impl<const D: usize> Neighbours<D> {
         for (&at, &value) in self.active.iter().zip(values) {
             by_number[self.cells.order[at as usize] as usize] = value;
         }
-    }
-
-    /// All pairs of active particles, each once; a particle and its own image are one for each image.
-    pub fn pairs(&self) -> impl Iterator<Item = Pair> {
-        self.blocks
-            .iter()
-            .flat_map(move |block| (0..block.len).flat_map(move |k| self.pairs_of(block, k)))
-    }
-
-    fn pairs_of<'a>(&'a self, block: &'a Block, k: usize) -> impl Iterator<Item = Pair> + 'a {
-        let at = self.active[block.start + k] as usize;
-        let first = self.cells.order[at];
-        block.all(k).filter_map(move |&neighbour| {
-            let (image, number, _, distance) = self.see(at, neighbour);
-            let second = number as u32;
-            (first <= second).then_some(Pair { first, second, image, distance })
-        })
     }
 
     /// `value[i] ← meet(value[i], value[j])` over all neighbours `j`, by number and for everybody at once; whether any

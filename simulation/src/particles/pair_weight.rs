@@ -3,16 +3,12 @@
 //! All are the `A` of `force = P A` (per product of masses) on the left particle, hence never
 //! positive: `∇_left W = −W' e` with `e` pointing right, and the equations carry a minus.
 
-use super::godunov::PairWork;
 use super::pair_force::PairEnd;
 use super::smoothing_kernel::RadialKernel;
 use std::f64::consts::SQRT_2;
 
 /// A factor `A` with `force = P A`.
 pub trait PairWeight: std::fmt::Debug + Send + Sync + 'static {
-    /// The velocity in the energy equation, as printed.
-    const WORK: PairWork;
-
     /// See [`PairForce::reach`](super::pair_force::PairForce::reach).
     fn reach(&self) -> f64 {
         1.0
@@ -58,8 +54,6 @@ pub struct OwnKernels;
 pub struct Convolution;
 
 impl PairWeight for SumOfSquares {
-    const WORK: PairWork = PairWork::Mean;
-
     #[inline]
     fn weight<K: RadialKernel>(&self, l: &PairEnd, r: &PairEnd, distance: f64, kernel: &K) -> f64 {
         let slope = kernel.slope(distance, 0.5 * (l.smoothing + r.smoothing));
@@ -68,8 +62,6 @@ impl PairWeight for SumOfSquares {
 }
 
 impl PairWeight for Product {
-    const WORK: PairWork = PairWork::Mean;
-
     #[inline]
     fn weight<K: RadialKernel>(&self, l: &PairEnd, r: &PairEnd, distance: f64, kernel: &K) -> f64 {
         2.0 / (l.density * r.density) * kernel.slope(distance, 0.5 * (l.smoothing + r.smoothing))
@@ -77,8 +69,6 @@ impl PairWeight for Product {
 }
 
 impl PairWeight for OwnKernels {
-    const WORK: PairWork = PairWork::Star;
-
     #[inline]
     fn weight<K: RadialKernel>(&self, l: &PairEnd, r: &PairEnd, distance: f64, kernel: &K) -> f64 {
         kernel.slope(distance, l.smoothing) / (l.density * l.density)
@@ -109,8 +99,6 @@ impl Convolution {
 }
 
 impl PairWeight for Convolution {
-    const WORK: PairWork = PairWork::Star;
-
     fn reach(&self) -> f64 {
         SQRT_2
     }

@@ -10,10 +10,10 @@ use super::pair_loops::PairLoops;
 use super::smoothing_kernel::SmoothingKernel;
 use super::system::{ParticleSystem, Particles};
 use crate::boundary::Boundary;
+use crate::linearisation::linearisation;
 use crate::run::Reason;
 use crate::scene::Material;
 use num_complex::Complex64;
-use std::f64::consts::PI;
 
 /// `N` particles of equal mass on a periodic line of length `N·spacing`, isothermal, with a constant
 /// smoothing length.
@@ -99,7 +99,7 @@ impl Ring {
     /// let kernel = SmoothingKernel::new(Kernel::CubicSpline);
     /// let ring = Ring { particles: 16, spacing: 1.0, mass: 1.0, gas, kernel, smoothing: 1.0 };
     /// let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
-    /// let gph1 = Godunov::new(SumOfSquares, solver);
+    /// let gph1 = Godunov { weight: SumOfSquares, solver, work: PairWork::Mean };
     /// let euler = Integrator::named("euler").unwrap().nystrom().unwrap();
     /// let step = ring.amplification(&gph1, &euler, 0.1, 3, 1e-5)?;
     /// assert!((step[0][1].re - 0.1).abs() < 1e-10); // x' = x + dt v
@@ -117,33 +117,13 @@ impl Ring {
         mode: usize,
         size: f64,
     ) -> Result<Amplification, Reason> {
-        let count = self.particles;
-        // Angles reduced exactly before they are multiplied by an inexact π.
-        let angle = |j: usize| 2.0 * PI * ((mode * j) % count) as f64 / count as f64;
-        let scales = [size * self.spacing, size * self.gas.sound_speed];
-        let mut matrix = [[Complex64::ZERO; 2]; 2];
-        for (column, scale) in scales.into_iter().enumerate() {
-            let run = |sign: f64| {
-                let (mut x, mut v) = (self.lattice(), vec![0.0; count]);
-                let disturbed = if column == 0 { &mut x } else { &mut v };
-                for (j, value) in disturbed.iter_mut().enumerate() {
-                    *value += sign * scale * angle(j).cos();
-                }
-                self.step(force, table, dt, &x, &v)
-            };
-            let (plus, minus) = (run(1.0)?, run(-1.0)?);
-            for (row, (plus, minus)) in
-                [(&plus.0, &minus.0), (&plus.1, &minus.1)].into_iter().enumerate()
-            {
-                let mut sum = Complex64::ZERO;
-                for j in 0..count {
-                    sum += Complex64::from_polar((plus[j] - minus[j]) / (2.0 * scale), -angle(j));
-                }
-                // cos is half of two conjugate modes, except where these are the same.
-                let share = if (2 * mode).is_multiple_of(count) { 1.0 } else { 2.0 };
-                matrix[row][column] = sum * (share / count as f64);
-            }
-        }
-        Ok(matrix)
+        let sizes = [size * self.spacing, size * self.gas.sound_speed];
+        linearisation(self.particles, mode, sizes, |disturbances| {
+            let lattice = self.lattice().into_iter().zip(disturbances);
+            let positions: Vec<f64> = lattice.map(|(x, [shift, _])| x + shift).collect();
+            let velocities: Vec<f64> = disturbances.iter().map(|[_, v]| *v).collect();
+            let (x, v) = self.step(force, table, dt, &positions, &velocities)?;
+            Ok(x.into_iter().zip(v).map(|(x, v)| [x, v]).collect())
+        })
     }
 }

@@ -55,7 +55,7 @@ impl Task<1> for Plan<'_> {
         let kernel = SmoothingKernel::new(options.kernel);
         let system = ParticleSystem::new(gas, particles, domain, kernel, smoothing, &*force);
         let evolution = Box::new(ParticleEvolution::stepped(system, force, options, table));
-        Start { evolution, waiting, max_steps: options.max_steps }
+        Start { evolution, waiting }
     }
 }
 

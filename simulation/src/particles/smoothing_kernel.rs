@@ -96,11 +96,6 @@ impl<const D: usize> SmoothingKernel<D> {
         Self { kernel, norm, pieces }
     }
 
-    /// The shape it is made of.
-    pub fn kernel(&self) -> Kernel {
-        self.kernel
-    }
-
     /// `σ/h^D`.
     #[inline]
     pub(super) fn norm(&self, h: f64) -> f64 {

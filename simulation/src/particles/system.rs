@@ -162,11 +162,6 @@ impl<const D: usize, G: Gas> ParticleSystem<D, G> {
         &self.sound_speed
     }
 
-    /// The neighbours of the last evaluation, those in the margin of the search included.
-    pub fn neighbours(&self) -> &Neighbours<D> {
-        &self.neighbours
-    }
-
     /// The domain.
     pub fn domain(&self) -> &Domain<D> {
         &self.domain

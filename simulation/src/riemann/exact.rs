@@ -247,11 +247,6 @@ impl Solution {
         self.iterations
     }
 
-    /// The gas of the problem.
-    pub fn gas(&self) -> IdealGas {
-        self.gas
-    }
-
     /// The wave that runs into the left state.
     pub fn left_wave(&self) -> Wave {
         let front = match self.star {

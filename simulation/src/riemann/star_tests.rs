@@ -2,6 +2,7 @@
 
 use super::isothermal::{Expansion, Isothermal};
 use super::{ExactIdeal, IdealGas, Star, StarSolver, State, Stopping, VanLeer, solve};
+use crate::bisection::root;
 use proptest::prelude::*;
 
 fn van_leer(gamma: f64, stopping: Stopping) -> VanLeer {
@@ -71,12 +72,7 @@ fn bisected_density(left: &State, right: &State, c: f64, expansion: Expansion) -
         jump(y - left.density().ln()) + jump(y - right.density().ln())
             - (left.velocity() - right.velocity()) / c
     };
-    let (mut low, mut high) = (-300.0, 300.0);
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    (0.5 * (low + high)).exp()
+    root(-300.0, 300.0, excess).exp()
 }
 
 prop_compose! {

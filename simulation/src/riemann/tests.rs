@@ -1,6 +1,7 @@
 //! The exact solver against roads that share nothing with it.
 
 use super::{IdealGas, Solution, Star, State, Wave, solve};
+use crate::bisection::root;
 use proptest::prelude::*;
 
 fn gas(gamma: f64) -> IdealGas {
@@ -27,14 +28,9 @@ fn velocity_change(gamma: f64, s: [f64; 3], p: f64) -> f64 {
 
 /// `p*` by nothing but halving the logarithm of the pressure.
 fn bisected(gamma: f64, l: [f64; 3], r: [f64; 3]) -> f64 {
-    let (mut low, mut high) = (-700.0f64, 700.0f64);
-    for _ in 0..70 {
-        let middle = 0.5 * (low + high);
-        let p = middle.exp();
-        let f = velocity_change(gamma, l, p) + velocity_change(gamma, r, p) + r[1] - l[1];
-        if f < 0.0 { low = middle } else { high = middle }
-    }
-    high.exp()
+    let closing =
+        |p: f64| velocity_change(gamma, l, p) + velocity_change(gamma, r, p) + r[1] - l[1];
+    root(-700.0, 700.0, |log| closing(log.exp())).exp()
 }
 
 /// How much the round-off of the terms of `f` moves its root, relatively.
@@ -309,8 +305,7 @@ proptest! {
                 prop_assert!(solution.iterations() <= 30, "{} iterations", solution.iterations());
                 let wanted = bisected(gamma, l, r);
                 let amplification = conditioning(gamma, l, r, wanted);
-                // The bisection starts with a grid of 1e3·2^-70 in ln p: its error is the round-off
-                // of its own f, a dozen operations, amplified.
+                // The error of the bisection is the round-off of its own f, a dozen operations, amplified.
                 let tolerance = 1e-12 + 16.0 * f64::EPSILON * amplification;
                 prop_assert!(
                     (pressure / wanted - 1.0).abs() <= tolerance,

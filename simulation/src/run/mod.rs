@@ -184,13 +184,12 @@ impl<P> Run<P> {
     pub(crate) fn of<E: Flowing + ?Sized>(
         evolution: &mut E,
         end_time: f64,
-        limits: Limits,
         mut observe: impl FnMut(&E, f64) -> ControlFlow<()>,
         profile: impl FnOnce(&E) -> P,
     ) -> Self {
         let start = evolution.totals();
         let mut penetration = Penetration::default();
-        let march = march(evolution, end_time, limits, |state, time| {
+        let march = march(evolution, end_time, Limits::default(), |state, time| {
             penetration.at_end = state.out_of_order();
             penetration.largest = penetration.largest.max(penetration.at_end);
             observe(state, time)

@@ -1,6 +1,7 @@
 //! Where the mass of a scene is, and where its particles stand at the start.
 
 use super::{Flow, Scene};
+use crate::bisection::root;
 use crate::boundary::Boundary;
 
 impl Scene {
@@ -149,17 +150,5 @@ impl Scene {
             .map(|state| inward * state.velocity() + self.material.sound_speed(state))
             .fold(0.0, f64::max);
         speed * self.end_time
-    }
-}
-
-/// The root of a growing function between `low` and `high`, to the last bit.
-pub(super) fn root(mut low: f64, mut high: f64, growing: impl Fn(f64) -> f64) -> f64 {
-    loop {
-        let middle = 0.5 * (low + high);
-        // Also where a bound is no number: that must not loop.
-        if middle <= low || middle >= high || middle.is_nan() {
-            return middle;
-        }
-        if growing(middle) < 0.0 { low = middle } else { high = middle }
     }
 }

@@ -1,7 +1,7 @@
 //! A smooth periodic sound wave of finite amplitude, before it breaks: Courant & Friedrichs 1948.
 
 use super::Scene;
-use super::placement::root;
+use crate::bisection::root;
 use crate::riemann::State;
 use std::f64::consts::{PI, TAU};
 

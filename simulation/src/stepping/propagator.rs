@@ -3,6 +3,7 @@
 use super::dense::Factors;
 use super::eigenvalues::eigenvalues;
 use super::lattice::PerAxis;
+use super::rounded::largest;
 use super::torus_scheme::{Rounding, Torus};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -87,12 +88,7 @@ impl WaveState {
             let turned: Complex64 = values().zip(&waves).map(|(u, w)| u * w.conj()).sum();
             let amplitude = turned / cells as f64;
             let away = values().zip(&waves).map(|(u, w)| (u - amplitude * w).norm());
-            // `max` drops what is no number: it must not.
-            let rest = away.fold(
-                0.0,
-                |most: f64, next| if next > most || next.is_nan() { next } else { most },
-            );
-            (amplitude, rest)
+            (amplitude, largest(away))
         })
         .collect()
     }

@@ -64,11 +64,6 @@ impl TorusScheme {
         self.dimension
     }
 
-    /// How many arrays a step begins with: one for each level of each unknown that it looks back to.
-    pub fn history(&self) -> usize {
-        self.program.history()
-    }
-
     /// The scheme on a torus with so many cells along each axis.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 use super::lattice::PerAxis;
 use super::propagator::Propagator;
+use super::rounded::largest;
 use super::runs::{Run, Runs};
 use super::torus_scheme::TorusScheme;
 use super::{SteppingError, pairing};
@@ -230,11 +231,8 @@ fn summary(
     steps: usize,
     mut failure: Option<String>,
 ) -> Validation {
-    let largest = |values: &mut dyn Iterator<Item = f64>| {
-        values.fold(0.0, |most: f64, next| if next > most || next.is_nan() { next } else { most })
-    };
-    let max_error = largest(&mut rows.iter().map(|row| row.error));
-    let mut tolerance = largest(&mut rows.iter().map(|row| row.tolerance));
+    let max_error = largest(rows.iter().map(|row| row.error));
+    let mut tolerance = largest(rows.iter().map(|row| row.tolerance));
     let failing = rows.iter().filter(|row| fails(row.error, row.tolerance));
     let worst = failing.max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)));
     if let Some(row) = worst {

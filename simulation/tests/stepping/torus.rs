@@ -2,76 +2,56 @@
 
 use super::noise::grows;
 use super::subject::{Subject, agrees, sees_every_change};
-use courant_analysis::exact::rational::ratio;
-use courant_analysis::scheme::Integrator;
-use courant_simulation::stepping::{SteppingError, TorusScheme, ValidationPlan};
+use super::{known_limit, scheme_at};
+use courant_analysis::exact::rational::{Rational, ratio};
+use courant_analysis::scheme::{Integrator, catalogue};
+use courant_simulation::stepping::{SteppingError, ValidationPlan, validate};
 use proptest::prelude::*;
-
-/// With a Courant number along each axis, so that an exchange of axes is seen. Lax & Wendroff 1964.
-const LAX_WENDROFF: &str =
-    "u[n+1,i,j] = u[n,i,j] - A/2*(u[n,i+1,j] - u[n,i-1,j]) - B/2*(u[n,i,j+1] - u[n,i,j-1]) +
-    A^2/2*(u[n,i+1,j] - 2*u[n,i,j] + u[n,i-1,j]) + B^2/2*(u[n,i,j+1] - 2*u[n,i,j] + u[n,i,j-1]) +
-    A*B/4*(u[n,i+1,j+1] - u[n,i+1,j-1] - u[n,i-1,j+1] + u[n,i-1,j-1])";
-
-/// Colella 1990.
-const CORNER_TRANSPORT: &str = "u[n+1,i,j] = (1 - A)*(1 - B)*u[n,i,j] + A*(1 - B)*u[n,i-1,j] + (1 - A)*B*u[n,i,j-1] + A*B*u[n,i-1,j-1]";
 
 /// The corner fluxes as a code has them: a half step across, then the difference of fluxes.
 const CORNER_TRANSPORT_BY_FLUXES: &str = "p[n,i,j] = u[n,i,j] - B/2*(u[n,i,j] - u[n,i,j-1])
     q[n,i,j] = u[n,i,j] - A/2*(u[n,i,j] - u[n,i-1,j])
     u[n+1,i,j] = u[n,i,j] - A*(p[n,i,j] - p[n,i-1,j]) - B*(q[n,i,j] - q[n,i,j-1])";
 
-const WAVE: &str = "u[n+1,i,j] = 2*u[n,i,j] - u[n-1,i,j] + A^2*(u[n,i+1,j] - 2*u[n,i,j] + u[n,i-1,j]) + B^2*(u[n,i,j+1] - 2*u[n,i,j] + u[n,i,j-1])";
-
-/// Yee 1966, transverse electric: `H_z` at the middles of the cells.
-const YEE_2D: &str = "h[n+1/2,i+1/2,j+1/2] = h[n-1/2,i+1/2,j+1/2] + B*(p[n,i+1/2,j+1] - p[n,i+1/2,j]) - A*(q[n,i+1,j+1/2] - q[n,i,j+1/2])
-    p[n+1,i+1/2,j] = p[n,i+1/2,j] + B*(h[n+1/2,i+1/2,j+1/2] - h[n+1/2,i+1/2,j-1/2])
-    q[n+1,i,j+1/2] = q[n,i,j+1/2] - A*(h[n+1/2,i+1/2,j+1/2] - h[n+1/2,i-1/2,j+1/2])";
-
-/// Yee 1966: `E` on the edges, `H` on the faces.
-const YEE_3D: &str = "X[n+1/2,i,j+1/2,k+1/2] = X[n-1/2,i,j+1/2,k+1/2] + C*(V[n,i,j+1/2,k+1] - V[n,i,j+1/2,k]) - B*(W[n,i,j+1,k+1/2] - W[n,i,j,k+1/2])
-    Y[n+1/2,i+1/2,j,k+1/2] = Y[n-1/2,i+1/2,j,k+1/2] + A*(W[n,i+1,j,k+1/2] - W[n,i,j,k+1/2]) - C*(U[n,i+1/2,j,k+1] - U[n,i+1/2,j,k])
-    Z[n+1/2,i+1/2,j+1/2,k] = Z[n-1/2,i+1/2,j+1/2,k] + B*(U[n,i+1/2,j+1,k] - U[n,i+1/2,j,k]) - A*(V[n,i+1,j+1/2,k] - V[n,i,j+1/2,k])
-    U[n+1,i+1/2,j,k] = U[n,i+1/2,j,k] + B*(Z[n+1/2,i+1/2,j+1/2,k] - Z[n+1/2,i+1/2,j-1/2,k]) - C*(Y[n+1/2,i+1/2,j,k+1/2] - Y[n+1/2,i+1/2,j,k-1/2])
-    V[n+1,i,j+1/2,k] = V[n,i,j+1/2,k] + C*(X[n+1/2,i,j+1/2,k+1/2] - X[n+1/2,i,j+1/2,k-1/2]) - A*(Z[n+1/2,i+1/2,j+1/2,k] - Z[n+1/2,i-1/2,j+1/2,k])
-    W[n+1,i,j,k+1/2] = W[n,i,j,k+1/2] + A*(Y[n+1/2,i+1/2,j,k+1/2] - Y[n+1/2,i-1/2,j,k+1/2]) - B*(X[n+1/2,i,j+1/2,k+1/2] - X[n+1/2,i,j-1/2,k+1/2])";
-
-/// Peaceman & Rachford 1955: implicit along one axis, then along the other.
-const PEACEMAN_RACHFORD: &str = "v[n+1/2,i,j] - A/2*(v[n+1/2,i+1,j] - 2*v[n+1/2,i,j] + v[n+1/2,i-1,j]) = u[n,i,j] + B/2*(u[n,i,j+1] - 2*u[n,i,j] + u[n,i,j-1])
-    u[n+1,i,j] - B/2*(u[n+1,i,j+1] - 2*u[n+1,i,j] + u[n+1,i,j-1]) = v[n+1/2,i,j] + A/2*(v[n+1/2,i+1,j] - 2*v[n+1/2,i,j] + v[n+1/2,i-1,j])";
-
-const CRANK_NICOLSON: &str = "u[n+1,i,j] - A/2*(u[n+1,i+1,j] - 2*u[n+1,i,j] + u[n+1,i-1,j]) - B/2*(u[n+1,i,j+1] - 2*u[n+1,i,j] + u[n+1,i,j-1]) =
-    u[n,i,j] + A/2*(u[n,i+1,j] - 2*u[n,i,j] + u[n,i-1,j]) + B/2*(u[n,i,j+1] - 2*u[n,i,j] + u[n,i,j-1])";
-
-const HEAT_3D: &str = "u[n+1,i,j,k] = u[n,i,j,k] + A*(u[n,i+1,j,k] - 2*u[n,i,j,k] + u[n,i-1,j,k]) + B*(u[n,i,j+1,k] - 2*u[n,i,j,k] + u[n,i,j-1,k]) +
-    C*(u[n,i,j,k+1] - 2*u[n,i,j,k] + u[n,i,j,k-1])";
-
 /// Third-order upwind along one axis, centred along the other: to be completed by an integrator.
 const LINES: &str =
     "u[i,j]' = -A/6*(2*u[i+1,j] + 3*u[i,j] - 6*u[i-1,j] + u[i-2,j]) - B/2*(u[i,j+1] - u[i,j-1])";
 
-fn subject(name: &str, text: &str) -> Subject {
-    let all = [("A", ratio(2, 7)), ("B", ratio(3, 7)), ("C", ratio(1, 5))];
-    let used: Vec<_> = all.into_iter().filter(|(name, _)| text.contains(*name)).collect();
-    Subject::from_text(name, text, &used)
+/// A scheme of the catalogue with another number along each axis, so that an exchange of axes is seen.
+fn unequal(name: &str, along: [Rational; 3]) -> Subject {
+    let [x, y, z] = along;
+    let mut subject = Subject::new(catalogue::scheme(name).unwrap(), x.clone());
+    for (parameter, value) in &mut subject.values {
+        match parameter.as_str() {
+            "a" => *value = &y / &x,
+            "b" => *value = &z / &x,
+            _ => {}
+        }
+    }
+    subject
+}
+
+fn scheme(name: &str) -> Subject {
+    unequal(name, [ratio(2, 7), ratio(3, 7), ratio(1, 5)])
 }
 
 fn subjects() -> Vec<Subject> {
-    let all = [
-        ("lax-wendroff", LAX_WENDROFF),
-        ("corner-transport", CORNER_TRANSPORT),
-        ("corner-transport-by-fluxes", CORNER_TRANSPORT_BY_FLUXES),
-        ("wave", WAVE),
-        ("yee-2d", YEE_2D),
-        ("yee-3d", YEE_3D),
-        ("peaceman-rachford", PEACEMAN_RACHFORD),
-        ("crank-nicolson", CRANK_NICOLSON),
-        ("heat-3d", HEAT_3D),
+    let schemes = [
+        "lax-wendroff-2d",
+        "corner-transport-upwind-2d",
+        "wave-2-2d",
+        "yee-te-2d",
+        "yee-3d",
+        "heat-peaceman-rachford-2d",
+        "heat-crank-nicolson-2d",
+        "heat-ftcs-3d",
     ];
-    let lines = ["rk3-ssp", "ab3", "gauss-2"].map(|integrator| {
-        subject("lines", LINES).with_integrator(Integrator::named(integrator).unwrap())
-    });
-    all.into_iter().map(|(name, text)| subject(name, text)).chain(lines).collect()
+    let text =
+        |name, text| Subject::from_text(name, text, &[("A", ratio(2, 7)), ("B", ratio(3, 7))]);
+    let lines = ["rk3-ssp", "ab3", "gauss-2"]
+        .map(|name| text("lines", LINES).with_integrator(Integrator::named(name).unwrap()));
+    let fluxes = text("corner-transport-by-fluxes", CORNER_TRANSPORT_BY_FLUXES);
+    schemes.map(scheme).into_iter().chain([fluxes]).chain(lines).collect()
 }
 
 fn dimension(subject: &Subject) -> usize {
@@ -87,7 +67,7 @@ fn schemes_on_a_torus_run_as_predicted() {
 
 #[test]
 fn every_wave_and_branch_of_a_torus_is_compared() {
-    let validation = subject("yee-3d", YEE_3D).validate(&ValidationPlan::in_dimension(3));
+    let validation = scheme("yee-3d").validate(&ValidationPlan::in_dimension(3));
     // Of 120 waves those that are their own conjugates, (0 or 3, 0, 0 or 2), once, of the others one of two; six branches each.
     assert_eq!(validation.rows.len(), 6 * (120 + 4) / 2);
     let json = serde_json::to_value(&validation).unwrap();
@@ -104,46 +84,39 @@ fn a_billionth_of_any_coefficient_is_seen_on_a_torus() {
 
 #[test]
 fn exchanged_axes_are_seen() {
-    for (name, text) in [("wave", WAVE), ("yee-2d", YEE_2D), ("crank-nicolson", CRANK_NICOLSON)] {
-        let right = subject(name, text);
-        let exchanged = text.replace('A', "a").replace('B', "A").replace('a', "B");
-        let plan = ValidationPlan::in_dimension(2);
-        let predicted = subject(name, &exchanged).predicted().unwrap();
-        let running = right.running().unwrap();
-        let validation = courant_simulation::stepping::validate(&running, predicted, &plan);
+    for name in ["wave-2-2d", "yee-te-2d", "heat-crank-nicolson-2d"] {
+        let exchanged = unequal(name, [ratio(3, 7), ratio(2, 7), ratio(1, 5)]);
+        let (predicted, running) =
+            (exchanged.predicted().unwrap(), scheme(name).running().unwrap());
+        let validation = validate(&running, predicted, &ValidationPlan::in_dimension(2));
         assert!(!validation.unwrap().passed, "{name}");
     }
 }
 
 #[test]
 fn runs_from_noise_confirm_the_limits_of_the_literature() {
-    // With the same number along all axes: Strang 1968 for the corner terms; the Courant conditions of the others.
-    let all = [
-        (LAX_WENDROFF, f64::sqrt(1.0 / 8.0), 2),
-        (CORNER_TRANSPORT, 1.0, 2),
-        (WAVE, f64::sqrt(0.5), 2),
-        (YEE_2D, f64::sqrt(0.5), 2),
-        (YEE_3D, f64::sqrt(1.0 / 3.0), 3),
-        (HEAT_3D, 1.0 / 6.0, 3),
-    ];
-    for (text, limit, dimension) in all {
-        let equations = courant_analysis::scheme::language::parse(text).unwrap();
-        // Lax–Wendroff's long waves grow slowly above its limit.
-        let most_steps = if text == LAX_WENDROFF { 60_000 } else { 4000 };
-        let points = [&[16, 16][..], &[8, 8, 8]][dimension - 2];
+    // With the same number along all axes. Lax–Wendroff's long waves grow slowly above its limit.
+    for (name, most_steps) in [
+        ("lax-wendroff-2d", 60_000),
+        ("corner-transport-upwind-2d", 4000),
+        ("wave-2-2d", 4000),
+        ("yee-te-2d", 4000),
+        ("yee-3d", 4000),
+        ("heat-ftcs-3d", 4000),
+    ] {
+        let file = catalogue::scheme(name).unwrap();
+        let limit = known_limit(file).unwrap();
         let grew = |part: f64| {
-            let values: Vec<_> =
-                ["A", "B", "C"].iter().map(|name| (name.to_string(), part * limit)).collect();
-            let scheme = TorusScheme::new(&equations, None, None, &values).unwrap();
-            grows(&scheme, points, most_steps)
+            let scheme = scheme_at(file, part * limit).unwrap();
+            grows(&scheme, [&[16, 16][..], &[8, 8, 8]][scheme.dimension() - 2], most_steps)
         };
-        assert_eq!([0.9, 1.1].map(grew), [false, true], "{text}");
+        assert_eq!([0.9, 1.1].map(grew), [false, true], "{name}");
     }
 }
 
 #[test]
 fn a_torus_has_as_many_axes_as_the_equations() {
-    let running = subject("wave", WAVE).running().unwrap();
+    let running = scheme("wave-2-2d").running().unwrap();
     let wrong = SteppingError::Dimension { dimension: 2, axes: 1 };
     assert_eq!(wrong.to_string(), "1 number of cells for 2 space dimensions: one for each");
     assert_eq!(running.torus(&[8]).err(), Some(wrong));

@@ -80,7 +80,7 @@ fn hot_spot(force: &dyn PairForce) -> ParticleSystem<2, crate::riemann::IdealGas
 
 #[test]
 fn blocks_conserve_in_a_plane_and_save_densities_searches_and_pairs() {
-    let force = Godunov::new(OwnKernels, ExactIdeal(air()));
+    let force = Godunov { weight: OwnKernels, solver: ExactIdeal(air()), work: PairWork::Star };
     let table = super::explicit("centred-euler");
     let run = |levels: Option<u32>| {
         let system = hot_spot(&force);

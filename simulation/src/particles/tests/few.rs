@@ -46,31 +46,12 @@ struct Devours {
 }
 
 impl BodyForce<3> for Devours {
-    fn update<T: ThermalState>(&mut self, _: &Particles<3, T>, _: &(dyn Fn(usize) -> bool + Sync)) {
-    }
-
-    fn acceleration(&self, _: usize) -> [f64; 3] {
-        [0.0; 3]
-    }
-
-    fn impulse(&mut self, _: usize, _: f64, _: f64) -> [f64; 3] {
-        [0.0; 3]
-    }
-
-    fn longest_step(&self, _: usize, _: f64, _: f64) -> f64 {
-        f64::INFINITY
-    }
-
-    fn drift(&mut self, _: f64) {}
-
     fn settle<G: Gas>(&mut self, system: &mut ParticleSystem<3, G>) {
         if self.hungry {
             system.retain(|particle| particle == 7);
             system.particles.velocity[0][0] = f64::NAN;
         }
     }
-
-    fn keep(&mut self) {}
 
     fn restore(&mut self) {
         self.hungry = false;

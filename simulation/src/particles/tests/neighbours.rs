@@ -63,12 +63,18 @@ fn check_search<const D: usize>(boundary: Boundary, seed: u64, count: usize, rad
         (0..count).map(|i| radius * 2f64.powi((numbers[count * D + i] * 5.0) as i32 - 2)).collect();
     let mut neighbours = Neighbours::default();
     neighbours.search(&domain, &positions, &radii);
-    let mut found: Vec<(u32, u32, u64)> = neighbours
-        .pairs()
-        .map(|pair| {
-            (pair.first.min(pair.second), pair.first.max(pair.second), pair.distance.to_bits())
-        })
-        .collect();
+    let mut found = Vec::new();
+    for block in &neighbours.blocks {
+        for k in 0..block.len {
+            let at = neighbours.active[block.start + k] as usize;
+            let first = neighbours.number(block, k) as u32;
+            // Either of two has the other in its list.
+            found.extend(block.all(k).filter_map(|&neighbour| {
+                let (_, second, _, distance) = neighbours.see(at, neighbour);
+                (first <= second as u32).then(|| (first, second as u32, distance.to_bits()))
+            }));
+        }
+    }
     found.sort_unstable();
     let expected = brute_force(&domain, &positions, &radii);
     assert_eq!(found, expected, "{D} dimensions, {boundary:?}, seed {seed}");

@@ -1,6 +1,6 @@
 //! Symmetry, conservation, and independence of numbering and threads.
 
-use super::{explicit, scatter};
+use super::{at_rest, explicit, scatter};
 use crate::boundary::Boundary;
 use crate::particles::*;
 use crate::riemann::isothermal::{Expansion, Isothermal};
@@ -37,6 +37,12 @@ pub(super) fn air() -> IdealGas {
     IdealGas::new(1.4).expect("gamma > 1")
 }
 
+/// One of two particles of air on their line.
+fn end(density: f64, pressure: f64, velocity: f64, smoothing: f64, volume_slope: f64) -> PairEnd {
+    let sound_speed = air().sound_speed(density, pressure);
+    PairEnd { density, pressure, sound_speed, velocity, smoothing, volume_slope, compression: 1.0 }
+}
+
 /// Runs a closure-like body for every pair force of the paper.
 macro_rules! for_each_force {
     ($force:ident, $kernel:ident, $body:block) => {{
@@ -44,14 +50,14 @@ macro_rules! for_each_force {
         let exact = ExactIdeal(air());
         let viscosity = Viscosity::STANDARD;
         for_each_force!(@ $force $kernel $body Kernel::CubicSpline,
-            Godunov::new(SumOfSquares, solver),
-            Godunov::new(Product, solver),
-            Godunov::new(OwnKernels, solver),
-            Godunov::new(OwnKernels, exact),
+            Godunov { weight: SumOfSquares, solver, work: PairWork::Mean },
+            Godunov { weight: Product, solver, work: PairWork::Mean },
+            Godunov { weight: OwnKernels, solver, work: PairWork::Star },
+            Godunov { weight: OwnKernels, solver: exact, work: PairWork::Star },
             Smoothed { form: PressureForm::Sum, viscosity },
             Smoothed { form: PressureForm::Geometric, viscosity });
         for_each_force!(@ $force $kernel $body Kernel::Gaussian,
-            Godunov::new(Convolution, solver));
+            Godunov { weight: Convolution, solver, work: PairWork::Star });
     }};
     (@ $force:ident $kernel:ident $body:block $which:expr, $($value:expr),*) => {
         $({ let ($force, $kernel) = ($value, $which); $body })*
@@ -93,15 +99,6 @@ fn forces_are_antisymmetric_in_one_and_two_dimensions() {
 
 #[test]
 fn pair_in_a_mirror_is_the_mirrored_pair() {
-    let end = |density, pressure, velocity, smoothing, volume_slope| PairEnd {
-        density,
-        pressure,
-        sound_speed: (1.4_f64 * pressure / density).sqrt(),
-        velocity,
-        smoothing,
-        volume_slope,
-        compression: 1.0,
-    };
     let a = end(1.0, 1.0, 0.4, 0.1, -0.3);
     let b = end(0.3, 0.1, -0.2, 0.13, -0.1);
     for_each_force!(force, kernel, {
@@ -119,16 +116,8 @@ fn pair_in_a_mirror_is_the_mirrored_pair() {
 fn approaching_pair_heats_and_receding_pair_cools() {
     for closing in [-0.1, 0.1] {
         for_each_force!(force, kernel, {
-            let end = |velocity| PairEnd {
-                density: 1.0,
-                pressure: 1.0,
-                sound_speed: 1.4_f64.sqrt(),
-                velocity,
-                smoothing: 0.1,
-                volume_slope: 0.0,
-                compression: 1.0,
-            };
-            let (left, right) = (end(0.5 * closing), end(-0.5 * closing));
+            let at = |velocity| end(1.0, 1.0, velocity, 0.1, 0.0);
+            let (left, right) = (at(0.5 * closing), at(-0.5 * closing));
             let kernel = SmoothingKernel::<1>::new(kernel);
             let exchange = force.exchange(&left, &right, 0.1, &kernel).expect("near enough");
             let heat_left = exchange.force * (exchange.velocity - left.velocity);
@@ -147,13 +136,9 @@ fn uniform_state_stays_uniform_bit_for_bit() {
 
 fn check_uniform(force: &dyn PairLoops<1>, kernel: Kernel) {
     let (count, spacing) = (64, 1.0 / 64.0);
-    let particles = Particles {
-        position: (0..count).map(|i| [f64::from(i) * spacing]).collect(),
-        velocity: vec![[0.25]; count as usize],
-        mass: vec![spacing; count as usize],
-        thermal: vec![1.7; count as usize],
-        smoothing: vec![1.3 * spacing; count as usize],
-    };
+    let x: Vec<f64> = (0..count).map(|i| f64::from(i) * spacing).collect();
+    let mut particles = at_rest(&x, spacing, 1.7, 1.3 * spacing);
+    particles.velocity.fill([0.25]);
     let domain = Domain::new([0.0], [1.0], Boundary::Periodic);
     let mut system = ParticleSystem::new(
         air(),
@@ -204,7 +189,7 @@ fn evolved<const D: usize>(order: &[usize], force: &dyn PairLoops<D>) -> Vec<Vec
 
 #[test]
 fn results_depend_neither_on_numbering_nor_on_threads() {
-    let force = Godunov::new(OwnKernels, ExactIdeal(air()));
+    let force = Godunov { weight: OwnKernels, solver: ExactIdeal(air()), work: PairWork::Star };
     let count = 3000;
     let natural: Vec<usize> = (0..count).collect();
     let mut shuffled = natural.clone();
@@ -225,7 +210,7 @@ fn results_depend_neither_on_numbering_nor_on_threads() {
 #[test]
 fn pair_forces_act_along_the_line_of_centres() {
     let solver = Isothermal { sound_speed: 1.0, expansion: Expansion::Exact };
-    let force = Godunov::new(OwnKernels, solver);
+    let force = Godunov { weight: OwnKernels, solver, work: PairWork::Star };
     let particles = Particles {
         position: vec![[0.0, 0.0], [0.06, 0.08]],
         velocity: vec![[0.3, 0.4], [-0.3, -0.4]],
@@ -255,18 +240,10 @@ fn pair_forces_act_along_the_line_of_centres() {
 #[test]
 fn ends_share_the_heat_of_a_pair_as_they_say() {
     let kernel = SmoothingKernel::<1>::new(Kernel::CubicSpline);
-    let end = |pressure, velocity| PairEnd {
-        density: 1.0,
-        pressure,
-        sound_speed: 1.0,
-        velocity,
-        smoothing: 0.1,
-        volume_slope: 0.0,
-        compression: 1.0,
-    };
     let heats = |work, [p, q]: [f64; 2], [v, w]: [f64; 2]| {
-        let force = Godunov { work, ..Godunov::new(OwnKernels, ExactIdeal(air())) };
-        let both = force.exchange(&end(p, v), &end(q, w), 0.1, &kernel).expect("they touch");
+        let force = Godunov { weight: OwnKernels, solver: ExactIdeal(air()), work };
+        let (left, right) = (end(1.0, p, v, 0.1, 0.0), end(1.0, q, w, 0.1, 0.0));
+        let both = force.exchange(&left, &right, 0.1, &kernel).expect("they touch");
         let [left, right] = [both.force * (both.velocity - v), both.force * (w - both.velocity)];
         assert!((left + right - both.force * (w - v)).abs() < 1e-14);
         [left, right]
@@ -293,17 +270,8 @@ fn ends_share_the_heat_of_a_pair_as_they_say() {
 /// (15) by quadrature along the line, for the uncut Gaussian, against the closed form.
 #[test]
 fn convolution_is_the_integral_it_stands_for() {
-    let end = |density, smoothing, volume_slope| PairEnd {
-        density,
-        pressure: 1.0,
-        sound_speed: 1.0,
-        velocity: 0.0,
-        smoothing,
-        volume_slope,
-        compression: 1.0,
-    };
     for (r, h) in [(0.05, 0.1), (0.13, 0.1), (0.2, 0.09)] {
-        let (left, right) = (end(1.0, h, 1.5), end(0.7, h, 3.0));
+        let (left, right) = (end(1.0, 1.0, 0.0, h, 1.5), end(0.7, 1.0, 0.0, h, 3.0));
         let volume = |s: f64| {
             // Hermite's cubic on [−r/2, r/2] in its usual basis.
             let t = s / r + 0.5;
