@@ -1,11 +1,11 @@
 //! The general path: sums over neighbours found among positions.
 
-use super::method::Method;
 use super::ring::Ring;
-use super::scheme::AdvectionScheme;
+use super::scheme::{AdvectionScheme, Discretisation};
 use super::stepper::Stepper;
 use crate::boundary::Boundary;
 use crate::particles::{Domain, Neighbours};
+use courant_analysis::exact::rational::to_f64;
 use rayon::prelude::*;
 
 /// Rings below this size are stepped on one thread: a step is shorter than handing it out.
@@ -41,7 +41,7 @@ pub struct ParticlePath {
 }
 
 impl ParticlePath {
-    /// The method on the ring, all values zero. The smoothing length is `ratio` mean spacings and the
+    /// The scheme on the ring, all values zero. The smoothing length is `l/Δξ` mean spacings and the
     /// time step moves a wave by `courant_number` mean spacings.
     ///
     /// A point exactly on the edge of the support is a neighbour, as `q = 3` belongs to the Gaussian of Ferrari et al.
@@ -51,9 +51,10 @@ impl ParticlePath {
     /// lattice point lies off the edge by less than that.
     ///
     /// Where the reach exceeds the period a particle is its neighbours' neighbour more than once.
-    pub fn new(method: Method, ring: &Ring) -> Self {
-        let Method { scheme, kernel, ratio, courant_number } = method;
-        let (length, way) = (ratio * ring.spacing(), courant_number * ring.spacing());
+    pub fn new(of: &Discretisation, courant_number: f64, ring: &Ring) -> Self {
+        let (scheme, kernel) = (of.scheme(), of.kernel());
+        let length = to_f64(of.ratio()) * ring.spacing();
+        let way = courant_number * ring.spacing();
         let reach = kernel.support() * length;
         let positions: Vec<[f64; 1]> = ring.positions().iter().map(|&x| [x]).collect();
         let limit = reach + 4.0 * f64::EPSILON * (ring.length() + reach);
