@@ -17,6 +17,7 @@
 //! ```
 
 use ndarray::{Array2, Zip};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// A point `[x, y]`.
@@ -84,7 +85,8 @@ impl Field {
     /// The outline for each of some ascending levels.
     pub fn outlines(&self, levels: &[f64]) -> Vec<Outline> {
         let cells = self.crossed_cells(levels);
-        levels.iter().zip(cells).map(|(level, cells)| self.outline_in(&cells, *level)).collect()
+        let cells = cells.par_iter().zip(levels);
+        cells.map(|(cells, level)| self.outline_in(cells, *level)).collect()
     }
 
     fn is_inside(&self, node: [usize; 2], level: f64) -> bool {

@@ -164,7 +164,7 @@ impl Section {
                     let svg = figure.svg()?;
                     let mut files = vec![
                         (format!("{name}.png"), svg.png()?),
-                        (format!("{name}.svg"), svg.as_bytes().into()),
+                        (format!("{name}.svg"), svg.0.as_bytes().into()),
                     ];
                     files.extend(data.iter().cloned());
                     Ok(files)

@@ -101,7 +101,7 @@ impl PlaneMap {
         let (xs, ys) = (floats(&self.x), floats(&self.y));
         let (axes, depth) = ((xs.as_slice(), ys.as_slice()), self.depth());
         let limit = Field::new(xs.clone(), ys.clone(), depth.clone())?;
-        let limit = Contours::new(limit).isolines([0.0]).values(false).width(1.8);
+        let limit = Contours::new(limit).isolines([0.0]).width(1.8);
         let panel = Panel::new(
             Axis::linear(self.x.name.as_str()).spanning(&xs),
             Axis::linear(self.y.name.as_str()).spanning(&ys),
@@ -203,6 +203,6 @@ mod tests {
                 assert_eq!(map.largest[[i, j]] <= 1.0 + 1e-12, stable, "r = {r}, C = {c}");
             }
         }
-        assert!(map.figure("").unwrap().svg().unwrap().contains("stability limit"));
+        assert!(map.figure("").unwrap().svg().unwrap().0.contains("stability limit"));
     }
 }

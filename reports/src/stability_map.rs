@@ -424,7 +424,7 @@ mod tests {
                 ratios: vec![integer(1), integer(2), integer(3)],
                 courant_numbers: (0..=8).map(|index| ratio(index * highest, 8)).collect(),
             };
-            stability_map(plan, &no_progress).unwrap().figure().unwrap().svg().unwrap()
+            stability_map(plan, &no_progress).unwrap().figure().unwrap().svg().unwrap().0
         };
         // Both limits begin at C = 1 and rise: up to 1 they touch a corner and no more.
         let (low, high) = (svg(1), svg(4));

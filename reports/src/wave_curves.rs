@@ -278,7 +278,7 @@ mod tests {
         assert_eq!(curves[1].lines(BranchWave::phase_error, false).len(), 1);
         let figure = figure("test", &curves, &[]);
         let svg = figure.svg().unwrap();
-        assert!(svg.png().is_ok() && svg.starts_with("<svg"));
+        assert!(svg.png().is_ok() && svg.0.starts_with("<svg"));
     }
 
     #[test]

@@ -117,7 +117,7 @@ fn write(
         let svg = figure()?.svg()?;
         Ok([
             file(&format!("{stem}.png"), &svg.png()?)?,
-            file(&format!("{stem}.svg"), svg.as_bytes())?,
+            file(&format!("{stem}.svg"), svg.0.as_bytes())?,
         ])
     };
     let data = || data().par_iter().map(|(name, bytes)| file(name, bytes)).collect();

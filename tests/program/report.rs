@@ -96,6 +96,11 @@ fn two_reports_differ_in_times_alone_and_show_what_is_listed() {
             assert!(bytes.is_ascii(), "{}", path.display());
         }
     }
+    let claims = &first[Path::new("quick/cha-whitworth2003/particle_claims.csv")];
+    let (claims, _) = without_times(claims);
+    assert_eq!(claims.len(), 1 + 17);
+    let verdict = |row: &Vec<String>| row.last().cloned().unwrap();
+    assert!(!claims.iter().any(|row| verdict(row) == "not decided"), "{claims:?}");
     for entry in json(&["list", "figures", "--format", "json"])["figures"].as_array().unwrap() {
         let name = entry["name"].as_str().unwrap();
         let named = |path: &PathBuf| path.with_extension("").ends_with(name);

@@ -52,7 +52,7 @@ impl Color {
 /// The colour at `t` in 0..=1 along some at equal distances.
 fn along(stops: &[Color], t: f64) -> Color {
     let stops: Vec<RGBColor> = stops.iter().map(|c| RGBColor(c.0, c.1, c.2)).collect();
-    DerivedColorMap::new(&stops).get_color(t).into()
+    opaque(DerivedColorMap::new(&stops).get_color(t))
 }
 
 impl plotters::style::Color for Color {
@@ -61,10 +61,8 @@ impl plotters::style::Color for Color {
     }
 }
 
-impl From<RGBColor> for Color {
-    fn from(RGBColor(red, green, blue): RGBColor) -> Color {
-        Color(red, green, blue)
-    }
+fn opaque(RGBColor(red, green, blue): RGBColor) -> Color {
+    Color(red, green, blue)
 }
 
 /// A continuous, colour-blind-safe sequence of colours over 0..=1.
@@ -87,7 +85,7 @@ impl ColorMap {
     /// The colour at `t` in 0..=1; values outside are clamped.
     pub fn at(self, t: f64) -> Color {
         match self {
-            ColorMap::Viridis => ViridisRGB.get_color(t).into(),
+            ColorMap::Viridis => opaque(ViridisRGB.get_color(t)),
             ColorMap::Blues => along(&BLUES.map(Color::from_hex), t),
             ColorMap::Reds => along(&REDS.map(Color::from_hex), t),
             ColorMap::BluesReds if t < 0.5 => ColorMap::Blues.at(1.0 - 2.0 * t),

@@ -1,7 +1,7 @@
 //! Colour bars: the bands of a map and their edges.
 
-use super::canvas::{Canvas, Done, pen};
-use super::geometry::{Point, Rect};
+use super::canvas::{Canvas, Done, fill, outline, pen, stroke};
+use super::geometry::Rect;
 use super::panel::{FRAME_WIDTH, LABEL_GAP, LABEL_SIZE, TICK, TICK_SIZE, widest};
 use super::{Bands, Color, Dash, POINT, text};
 use crate::number::format_numbers;
@@ -42,25 +42,23 @@ impl ColorBar {
         let band = |k: usize| Rect { left, right, top: at(k + 1), bottom: at(k) }.corners();
         let step = edges[1] - edges[0];
         let even = edges.windows(2).all(|w| (w[1] - w[0] - step).abs() < 1e-9 * step);
-        for (k, color) in colors.iter().enumerate() {
-            canvas.fill(&[band(k)], *color)?;
-        }
-        for k in (0..colors.len()).filter(|_| !even) {
-            canvas.outline(&band(k), style)?;
-        }
+        canvas.draw(colors.iter().enumerate().map(|(k, color)| fill(&[band(k)], *color)))?;
+        let bands = (0..colors.len()).filter(|_| !even);
+        canvas.draw(bands.map(|k| outline(&band(k), style)))?;
         for (color, from, to) in [(below, low, bottom), (above, high, top)] {
-            let tip: Vec<Point> = vec![[left, from], [0.5 * (left + right), to], [right, from]];
+            let tip = vec![[left, from], [0.5 * (left + right), to], [right, from]];
             if let Some(color) = color {
-                canvas.fill(std::slice::from_ref(&tip), *color)?;
-                canvas.outline(&tip, style)?;
+                let border = outline(&tip, style);
+                canvas.draw([fill(&[tip], *color), border])?;
             }
         }
-        canvas.outline(&Rect { left, right, top: high, bottom: low }.corners(), style)?;
+        canvas.draw([outline(&Rect { left, right, top: high, bottom: low }.corners(), style)])?;
         // As many numbers as do not touch.
         let numbers = format_numbers(edges);
         let room = 1.15 * TICK_SIZE * POINT * colors.len() as f64 / (low - high).abs();
         for (k, number) in numbers.iter().enumerate().step_by(room.ceil().max(1.0) as usize) {
-            canvas.stroke(&[[right, at(k)], [right + TICK, at(k)]], style, Dash::Solid)?;
+            let tick = [[right, at(k)], [right + TICK, at(k)]];
+            canvas.draw([stroke(&tick, style, Dash::Solid)])?;
             canvas.write(number, &text::beside(TICK_SIZE), [right + 2.0 * TICK, at(k)])?;
         }
         let mut across = right + 2.0 * TICK + widest(&numbers) + LABEL_GAP;

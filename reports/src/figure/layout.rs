@@ -1,11 +1,12 @@
 //! Figures: panels in a grid, with what they share.
 
-use super::canvas::{Canvas, Done};
+use super::canvas::{Canvas, Done, fill};
 use super::geometry::Rect;
 use super::legend::Legend;
 use super::panel::Plot;
 use super::{Color, ColorBar, FigureError, POINT, Panel, Svg, text};
 use plotters::{backend::SVGBackend, drawing::IntoDrawingArea};
+use plotters_backend::DrawingBackend;
 
 const TITLE_SIZE: f64 = 10.5;
 /// Between neighbouring panels, beside their labels.
@@ -74,9 +75,9 @@ impl Figure {
     /// If an axis has an impossible range, or the panels do not fit.
     pub fn svg(&self) -> Result<Svg, FigureError> {
         let mut document = String::new();
-        let (width, height) = self.units();
+        let (wide, high) = self.size;
+        let [width, height] = [wide, high].map(|inches| (inches * 72.0 * POINT).round() as u32);
         self.draw(SVGBackend::with_string(&mut document, (width, height)))?;
-        let [wide, high] = [width, height].map(|units| f64::from(units) / (72.0 * POINT));
         let units = format!(r#"width="{width}" height="{height}""#);
         let size =
             format!(r#"role="img" stroke-linejoin="round" width="{wide}in" height="{high}in""#);
@@ -89,19 +90,13 @@ impl Figure {
         Ok(Svg(document))
     }
 
-    /// The size of the canvas.
-    fn units(&self) -> (u32, u32) {
-        let units = |inches: f64| (inches * 72.0 * POINT).round() as u32;
-        (units(self.size.0), units(self.size.1))
-    }
-
     fn draw(&self, backend: SVGBackend) -> Done {
         let (rows, columns) = self.grid;
         if self.panels.len() > rows * columns || self.panels.is_empty() {
             return Err(FigureError::PanelCount(self.panels.len(), rows, columns));
         }
         let plots = self.panels.iter().map(Panel::plot).collect::<Result<Vec<Plot>, _>>()?;
-        let (width, height) = self.units();
+        let (width, height) = backend.get_size();
         let page = Rect { left: 0.0, top: 0.0, right: width.into(), bottom: height.into() };
         let mut area = page.grown(-PAGE_MARGIN);
         let title = text::wrapped(&self.title, TITLE_SIZE, area.width());
@@ -140,7 +135,7 @@ impl Figure {
             Rect { left, top, right: left + width, bottom: top + height }
         };
         let canvas = Canvas(backend.into_drawing_area());
-        canvas.fill(&[page.corners()], Color::WHITE)?;
+        canvas.draw([fill(&[page.corners()], Color::WHITE)])?;
         let middle = 0.5 * page.right;
         for (k, line) in title.iter().enumerate() {
             let ascent = (text::ASCENT + text::DESCENT) * TITLE_SIZE * POINT;

@@ -1,10 +1,14 @@
-//! The legend below all panels: names beside samples of the look. Plotters' own has but one column in a corner of one
-//! plot, and measures its text without the font.
+//! The legend below all panels: each name is plotters' legend of a chart of its own, as plotters has but one column in one
+//! chart; here they are put into rows.
 
-use super::canvas::{Canvas, Done, pen};
+use super::canvas::{Canvas, Done, fill, outline, pen, stroke};
 use super::geometry::Rect;
 use super::panel::LABEL_GAP;
 use super::{Color, Dash, POINT, Panel, text};
+use plotters::backend::SVGBackend;
+use plotters::chart::{ChartBuilder, SeriesLabelPosition::Coordinate};
+use plotters::element::{Drawable, PointCollection};
+use plotters_backend::{BackendCoord, DrawingErrorKind};
 
 /// Size of the names, in points.
 const SIZE: f64 = 7.8;
@@ -46,8 +50,15 @@ impl<'a> Legend<'a> {
             let width: f64 = row.iter().map(|entry| entry.2).sum();
             let mut x = middle - 0.5 * (width - SAMPLE);
             for (name, panel, room) in row {
-                draw_sample(canvas, panel, name, x, y)?;
-                canvas.write(name, &text::beside(SIZE), [x + SAMPLE + GAP, y])?;
+                let [left, high, wide] = [x, y, *room].map(|length| length.round() as i32);
+                let area = canvas.0.clone().shrink((left, high), (wide, 1));
+                let mut chart = ChartBuilder::on(&area).build_cartesian_2d(0..1, 0..1)?;
+                // Names stand level with the upper edge of the chart, not below it.
+                let start = |(x, _): BackendCoord| Sample { panel, name, start: (x, 0) };
+                chart.draw_series(std::iter::empty::<Sample>())?.label(*name).legend(start);
+                let mut labels = chart.configure_series_labels();
+                labels.legend_area_size((SAMPLE + GAP) as i32).label_font(text::beside(SIZE));
+                labels.margin(0).position(Coordinate(0, 0)).draw()?;
                 x += room;
             }
         }
@@ -55,21 +66,46 @@ impl<'a> Legend<'a> {
     }
 }
 
-/// The look of everything with a name, to the right of a place.
-fn draw_sample(canvas: &Canvas, panel: &Panel, name: &str, x: f64, y: f64) -> Done {
-    let line = [[x, y], [x + SAMPLE, y]];
-    for contours in panel.contours.iter().filter(|contours| contours.label == name) {
-        let Some(bands) = &contours.bands else {
-            canvas.stroke(&line, pen(Color::BLACK, contours.width), Dash::Solid)?;
-            continue;
-        };
-        let half = 0.4 * SIZE * POINT;
-        let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
-        canvas.fill(&[patch.corners()], bands.colors[0])?;
-        canvas.outline(&patch.corners(), pen(Color::GREY, 0.4))?;
+/// The look of everything with a name.
+struct Sample<'a> {
+    panel: &'a Panel,
+    name: &'a str,
+    start: BackendCoord,
+}
+
+impl<'a> PointCollection<'a, BackendCoord> for &'a Sample<'_> {
+    type Point = BackendCoord;
+    type IntoIter = [BackendCoord; 1];
+    fn point_iter(self) -> Self::IntoIter {
+        [self.start]
     }
-    for series in panel.series.iter().filter(|series| series.label == name) {
-        series.draw(canvas, &line)?;
+}
+
+impl Drawable<SVGBackend<'_>> for Sample<'_> {
+    fn draw<I: Iterator<Item = BackendCoord>>(
+        &self,
+        places: I,
+        backend: &mut SVGBackend,
+        size: (u32, u32),
+    ) -> Result<(), DrawingErrorKind<std::io::Error>> {
+        let Sample { panel, name, .. } = self;
+        for [x, y] in places.map(|(x, y)| [x, y].map(f64::from)) {
+            let line = [[x, y], [x + SAMPLE, y]];
+            let half = 0.4 * SIZE * POINT;
+            let patch = Rect { left: x, top: y - half, right: x + SAMPLE, bottom: y + half };
+            let contours = panel.contours.iter().filter(|contours| contours.label == *name);
+            let contours = contours.flat_map(|contours| match &contours.bands {
+                None => vec![stroke(&line, pen(Color::BLACK, contours.width), Dash::Solid)],
+                Some(bands) => vec![
+                    fill(&[patch.corners()], bands.colors[0]),
+                    outline(&patch.corners(), pen(Color::GREY, 0.4)),
+                ],
+            });
+            let series = panel.series.iter().filter(|series| series.label == *name);
+            for element in contours.chain(series.flat_map(|series| series.elements(&line))) {
+                element.draw(element.point_iter().iter().copied(), backend, size)?;
+            }
+        }
+        Ok(())
     }
-    Ok(())
 }

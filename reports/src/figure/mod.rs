@@ -14,7 +14,7 @@
 //!     .layer(Series::markers(h.into_iter().zip(error), Marker::Circle).label("run"));
 //! let figure = Figure::single(panel).size(3.5, 2.6);
 //! let svg = figure.svg()?;
-//! assert!(svg.starts_with("<svg") && svg.png()?[1..].starts_with(b"PNG"));
+//! assert!(svg.0.starts_with("<svg") && svg.png()?[1..].starts_with(b"PNG"));
 //! # Ok::<(), courant_reports::figure::FigureError>(())
 //! ```
 

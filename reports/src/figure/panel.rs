@@ -1,12 +1,11 @@
 //! One panel: two axes and what is drawn between them.
 
-use super::canvas::{Canvas, Done, pen};
+use super::canvas::{Canvas, Done, outline, pen};
 use super::frame::Frame;
 use super::geometry::{Point, Rect};
 use super::isoline_label::IsolineLabels;
 use super::{Axis, Color, Contours, FigureError, POINT, Series, text};
 use plotters::chart::ChartBuilder;
-use rayon::prelude::*;
 
 // Sizes of text and widths of lines in points, lengths in units.
 pub(super) const TICK_SIZE: f64 = 8.0;
@@ -165,7 +164,7 @@ impl Plot<'_> {
             [across.start, across.end - 1, down.start, down.end - 1].map(f64::from);
         let rect = Rect { left, top, right, bottom };
         self.draw_data(canvas, &Frame { rect, x: &x, y: &y })?;
-        canvas.outline(&rect.corners(), border)?;
+        canvas.draw([outline(&rect.corners(), border)])?;
         for (k, line) in self.title_lines(plot.width()).iter().rev().enumerate() {
             let above = top - (0.3 + 1.2 * k as f64) * TITLE_SIZE * POINT;
             canvas.write(line, &text::above(TITLE_SIZE), [0.5 * (left + right), above])?;
@@ -175,15 +174,13 @@ impl Plot<'_> {
 
     fn draw_data(&self, canvas: &Canvas, frame: &Frame) -> Done {
         let Panel { contours, series, notes, .. } = self.panel;
-        // Side by side: following contours is most of the work.
-        contours.par_iter().for_each(|contours| _ = contours.follow());
         let mut labels = IsolineLabels::new(frame.rect);
         for contours in contours {
             contours.draw(canvas, frame, &mut labels)?;
         }
         for series in series {
             for line in series.on_page(frame) {
-                series.draw(canvas, &line)?;
+                canvas.draw(series.elements(&line))?;
                 labels.keep_off(&line);
             }
         }

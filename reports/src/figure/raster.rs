@@ -17,14 +17,7 @@ pub(super) static OPTIONS: LazyLock<Options<'static>> = LazyLock::new(|| {
 
 /// A figure drawn as SVG, in which axes, titles and legends are text.
 #[derive(Debug, PartialEq)]
-pub struct Svg(pub(super) String);
-
-impl std::ops::Deref for Svg {
-    type Target = String;
-    fn deref(&self) -> &String {
-        &self.0
-    }
-}
+pub struct Svg(pub String);
 
 impl Svg {
     /// The same picture as PNG at 300 dots per inch, with its size recorded in the file.
@@ -32,7 +25,7 @@ impl Svg {
     /// # Errors
     /// If it cannot be rendered or encoded.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        let picture = Tree::from_str(self, &OPTIONS)?;
+        let picture = Tree::from_str(&self.0, &OPTIONS)?;
         let size = picture.size();
         let [columns, rows] = [size.width(), size.height()].map(|length| length.round() as u32);
         let mut pixels = Pixmap::new(columns, rows).expect("a plot is larger than a dot");
@@ -42,8 +35,7 @@ impl Svg {
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         let [xppu, yppu] = [(DPI / 0.0254).round() as u32; 2];
-        let density = png::PixelDimensions { xppu, yppu, unit: png::Unit::Meter };
-        encoder.set_pixel_dims(Some(density));
+        encoder.set_pixel_dims(Some(png::PixelDimensions { xppu, yppu, unit: png::Unit::Meter }));
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         encoder.set_compression(png::Compression::Fast);
         encoder.set_filter(png::Filter::Up);

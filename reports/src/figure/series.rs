@@ -1,9 +1,10 @@
 //! Series of points: curves and markers.
 
-use super::canvas::{Canvas, Done, pen};
+use super::canvas::{Element, fill, outline, pen, stroke, units};
 use super::frame::Frame;
 use super::geometry::{Point, between};
 use super::{Color, POINT};
+use plotters::element::{Circle, IntoDynElement};
 use plotters::style::Color as _;
 
 /// How a line is broken.
@@ -145,17 +146,17 @@ impl Series {
         }
     }
 
-    /// Draws a line of points, or a marker in the middle between the first two.
-    pub(super) fn draw(&self, canvas: &Canvas, line: &[Point]) -> Done {
+    /// A line of points, or a marker in the middle between the first two.
+    pub(super) fn elements<'a>(&self, line: &[Point]) -> Vec<Element<'a>> {
         let style = pen(self.color, self.width);
-        let Some(marker) = self.marker else { return canvas.stroke(line, style, self.dash) };
+        let Some(marker) = self.marker else { return vec![stroke(line, style, self.dash)] };
         let (at, r) = (between(line[0], line[1], 0.5), 0.5 * self.size * POINT);
         let form = |corners: &[Point]| -> Vec<Point> {
             corners.iter().map(|c| [at[0] + r * c[0], at[1] + r * c[1]]).collect()
         };
         let strokes = |d: f64, e: f64| {
-            canvas.stroke(&form(&[[-d, -e], [d, e]]), style, Dash::Solid)?;
-            canvas.stroke(&form(&[[-e, d], [e, -d]]), style, Dash::Solid)
+            let lines = [[[-d, -e], [d, e]], [[-e, d], [e, -d]]];
+            lines.iter().map(|line| stroke(&form(line), style, Dash::Solid)).collect()
         };
         // Sizes are such that all forms weigh about the same.
         let corners = match marker {
@@ -163,16 +164,14 @@ impl Series {
             Marker::Plus => return strokes(1.1, 0.0),
             Marker::Circle => {
                 let inside = self.fill.map(|color| color.filled());
-                let mut circles = inside.into_iter().chain([style]);
-                return circles.try_for_each(|style| canvas.circle(at, r, style));
+                let circles = inside.into_iter().chain([style]);
+                return circles.map(|style| Circle::new(units(&at), r, style).into_dyn()).collect();
             }
             Marker::Square => form(&[[-0.88, -0.88], [0.88, -0.88], [0.88, 0.88], [-0.88, 0.88]]),
             Marker::Triangle => form(&[[0.0, -1.25], [1.1, 0.7], [-1.1, 0.7]]),
             Marker::Diamond => form(&[[0.0, -1.25], [1.25, 0.0], [0.0, 1.25], [-1.25, 0.0]]),
         };
-        if let Some(color) = self.fill {
-            canvas.fill(std::slice::from_ref(&corners), color)?;
-        }
-        canvas.outline(&corners, style)
+        let inside = self.fill.map(|color| fill(std::slice::from_ref(&corners), color));
+        inside.into_iter().chain([outline(&corners, style)]).collect()
     }
 }

@@ -54,13 +54,16 @@ fn every_integrator_runs_every_space_as_predicted() {
 fn particle_methods_run_as_predicted_with_every_integrator() {
     let plan = ValidationPlan { points: vec![16], steps: 20 };
     for file in catalogue::methods() {
-        for kernel in [Kernel::CubicSpline, Kernel::WendlandC4, Kernel::Gaussian] {
-            for integrator in catalogue::integrators() {
-                let subject = Subject::new(file, ratio(1, 3))
-                    .with_kernel(kernel, ratio(6, 5))
-                    .with_integrator(integrator);
-                agrees(&subject, &plan);
-            }
+        let agrees_with = |kernel, integrator| {
+            let subject = Subject::new(file, ratio(1, 3)).with_kernel(kernel, ratio(6, 5));
+            agrees(&subject.with_integrator(integrator), &plan);
+        };
+        for integrator in catalogue::integrators() {
+            agrees_with(Kernel::CubicSpline, integrator);
+        }
+        // An integrator meets the kernel only in the forces.
+        for kernel in [Kernel::WendlandC4, Kernel::Gaussian] {
+            agrees_with(kernel, Integrator::named("rk4").unwrap());
         }
     }
 }

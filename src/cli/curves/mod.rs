@@ -95,7 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let svg = picture::figure(&cases, &curves, &labels, &varying).svg()?;
     let stem = picture::stem(&labels);
     let mut files =
-        vec![(format!("{stem}.png"), svg.png()?), (format!("{stem}.svg"), svg.as_bytes().into())];
+        vec![(format!("{stem}.png"), svg.png()?), (format!("{stem}.svg"), svg.0.as_bytes().into())];
     files.extend(rows::files(&curves, &stem));
     let output = OutputDirectory::open(&arguments.out)?;
     let mut written = Vec::new();

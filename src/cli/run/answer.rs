@@ -32,7 +32,7 @@ impl Answer {
         files.push((".json", format!("{json}\n").into_bytes()));
         let drawn = |figure: Figure| {
             let svg = figure.svg()?;
-            Ok::<_, FigureError>([(".png", svg.png()?), (".svg", svg.as_bytes().into())])
+            Ok::<_, FigureError>([(".png", svg.png()?), (".svg", svg.0.as_bytes().into())])
         };
         match figure.map(drawn) {
             Some(Ok(pictures)) => files.extend(pictures),

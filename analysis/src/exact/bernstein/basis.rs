@@ -59,7 +59,9 @@ pub(super) fn scaled_bernstein(series: &CosineSeries<BigInt>, degree: usize) -> 
                 sums.push(vec![0; degree + 1]);
             }
             let digit = sign * i128::from(digit);
-            sums[rank].iter_mut().zip(cosine).for_each(|(sum, c)| *sum += digit * i128::from(*c));
+            for (sum, part) in sums[rank].iter_mut().zip(cosine) {
+                *sum += digit * i128::from(*part);
+            }
         }
     }
     (0..=degree)

@@ -44,9 +44,11 @@ impl ExponentBox {
     fn indices(&self, polynomial: &Laurent) -> Vec<u128> {
         let lowest = polynomial.lowest_powers();
         let index = |exponents: &Exponents| {
-            (0..VARIABLES)
-                .map(|v| (i32::from(exponents[v]) - i32::from(lowest[v])) as u128 * self.strides[v])
-                .sum()
+            let mut index = 0;
+            for ((power, lowest), stride) in exponents.iter().zip(lowest).zip(self.strides) {
+                index += (i32::from(*power) - i32::from(lowest)) as u128 * stride;
+            }
+            index
         };
         polynomial.terms().iter().map(|(exponents, _)| index(exponents)).collect()
     }

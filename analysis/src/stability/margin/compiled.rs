@@ -126,23 +126,25 @@ impl WithSimd for Sampling<'_> {
         let (lanes, powers) = (S::F64_LANES, self.series.len());
         let cosines: Vec<f64> = self.phases.iter().map(|phase| phase.cos()).collect();
         let mut sums = vec![0.0; lanes];
-        for (cosines, values) in cosines.chunks(lanes).zip(self.values.chunks_mut(lanes * powers)) {
-            let cosine = simd.partial_load_f64s(cosines);
+        // By index: adapters of iterators are not always inlined into code for a wider processor.
+        for first in (0..cosines.len()).step_by(lanes) {
+            let count = lanes.min(cosines.len() - first);
+            let cosine = simd.partial_load_f64s(&cosines[first..first + count]);
             let twice = simd.add_f64s(cosine, cosine);
-            for (power, series) in self.series.iter().enumerate() {
+            for power in 0..powers {
                 // Clenshaw's recurrence, in the order of `clenshaw`: the bits are the same.
-                let (mut first, mut second) = (simd.splat_f64s(0.0), simd.splat_f64s(0.0));
-                let Some((constant, rest)) = series.coefficients().split_first() else { continue };
-                for value in rest.iter().rev() {
-                    let next = simd.sub_f64s(simd.splat_f64s(*value), second);
-                    second = first;
-                    first = simd.add_f64s(simd.mul_f64s(twice, first), next);
+                let (mut last, mut before) = (simd.splat_f64s(0.0), simd.splat_f64s(0.0));
+                let [constant, rest @ ..] = self.series[power].coefficients() else { continue };
+                for order in (0..rest.len()).rev() {
+                    let next = simd.sub_f64s(simd.splat_f64s(rest[order]), before);
+                    before = last;
+                    last = simd.add_f64s(simd.mul_f64s(twice, last), next);
                 }
-                let constant = simd.sub_f64s(simd.splat_f64s(*constant), second);
-                let sum = simd.add_f64s(simd.mul_f64s(cosine, first), constant);
+                let constant = simd.sub_f64s(simd.splat_f64s(*constant), before);
+                let sum = simd.add_f64s(simd.mul_f64s(cosine, last), constant);
                 simd.partial_store_f64s(&mut sums, sum);
-                for (values, sum) in values.chunks_exact_mut(powers).zip(&sums) {
-                    values[power] = *sum;
+                for (lane, sum) in sums[..count].iter().enumerate() {
+                    self.values[(first + lane) * powers + power] = *sum;
                 }
             }
         }
