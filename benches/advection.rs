@@ -4,16 +4,19 @@
 //! and the memory traffic (bytes read and written once, without what a write first reads) are printed, so
 //! that the number can be set against the machine's arithmetic and memory.
 
+use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
-    AdvectionScheme, LatticePath, Method, ParticlePath, Ring, Stepper,
+    AdvectionScheme, Discretisation, LatticePath, ParticlePath, Ring, Stepper,
 };
 use criterion::{BenchmarkId, Criterion, Throughput};
 
-const RATIOS: [f64; 2] = [2.0, 5.0];
+const RATIOS: [i64; 2] = [2, 5];
 
-fn method(scheme: AdvectionScheme, ratio: f64) -> Method {
-    Method { scheme, kernel: Kernel::CubicSpline, ratio, courant_number: 0.5 }
+const COURANT: f64 = 0.5;
+
+fn discretisation(scheme: AdvectionScheme, ratio: i64) -> Discretisation {
+    Discretisation::new(scheme, Kernel::CubicSpline, integer(ratio)).expect("a valid ratio")
 }
 
 fn smooth(particles: usize) -> Vec<f64> {
@@ -26,7 +29,7 @@ fn lattice(criterion: &mut Criterion) {
         group.throughput(Throughput::Elements(particles as u64));
         for scheme in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
             for ratio in RATIOS {
-                let mut path = LatticePath::new(method(scheme, ratio), particles);
+                let mut path = LatticePath::new(&discretisation(scheme, ratio), COURANT, particles);
                 path.set_state(&smooth(particles));
                 let width = path.coefficients().values.len();
                 let name = format!("{scheme}, ratio {ratio}, {} flop, 16 B", 2 * width - 1);
@@ -46,19 +49,12 @@ fn particles(criterion: &mut Criterion) {
         for scheme in [AdvectionScheme::GodunovSph, AdvectionScheme::LaxWendroffSph] {
             for ratio in RATIOS {
                 let ring = Ring::disordered(particles, 1.0, 0.1, 1).expect("a valid ring");
-                let mut path = ParticlePath::new(method(scheme, ratio), &ring);
+                let mut path = ParticlePath::new(&discretisation(scheme, ratio), COURANT, &ring);
                 path.set_state(&smooth(particles));
                 let pairs = path.interactions_per_step() as f64 / particles as f64;
-                // Two operations and a weight per pair and sum; the neighbour's index once per sum.
-                let (sums, entry) = match scheme {
-                    AdvectionScheme::LaxWendroffSph => (2.0, 24.0),
-                    AdvectionScheme::GodunovSph | AdvectionScheme::EulerSph => (1.0, 12.0),
-                };
-                let name = format!(
-                    "{scheme}, ratio {ratio}, {:.0} flop, {:.0} B",
-                    2.0 * sums * pairs,
-                    entry * pairs + 16.0
-                );
+                // Two operations, a weight and an index per pair.
+                let (flop, bytes) = (2.0 * pairs, 16.0 * (pairs + 1.0));
+                let name = format!("{scheme}, ratio {ratio}, {flop:.0} flop, {bytes:.0} B");
                 group.bench_function(BenchmarkId::new(name, particles), |bencher| {
                     bencher.iter(|| path.step());
                 });
@@ -67,7 +63,8 @@ fn particles(criterion: &mut Criterion) {
     }
     group.bench_function("neighbours of 100,000", |bencher| {
         let ring = Ring::disordered(100_000, 1.0, 0.1, 1).expect("a valid ring");
-        bencher.iter(|| ParticlePath::new(method(AdvectionScheme::GodunovSph, 2.0), &ring));
+        let of = discretisation(AdvectionScheme::GodunovSph, 2);
+        bencher.iter(|| ParticlePath::new(&of, COURANT, &ring));
     });
     group.finish();
 }

@@ -3,7 +3,7 @@
 use crate::figure::{Axis, Color, Figure, Marker, Panel, Series};
 use crate::number::{finite, significant};
 use crate::run_record::{BROKEN, ConservationRecord, RunRecord, RunReport, method_title};
-use courant_analysis::exact::rational::{Rational, to_text};
+use courant_analysis::exact::rational::to_text;
 use courant_simulation::advection::{AdvectionRun, Layout, RunPlan};
 use std::fmt::Write;
 
@@ -11,8 +11,9 @@ use std::fmt::Write;
 const MARKERS: usize = 2000;
 
 /// The record, the profile and its picture.
-pub fn report(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun, seconds: f64) -> RunReport {
-    let (seen, scene, scheme) = (&result.comparison, &plan.scene, plan.method.scheme);
+pub fn report(plan: &RunPlan, result: &AdvectionRun, seconds: f64) -> RunReport {
+    let (seen, scene, of) = (&result.comparison, &plan.scene, &plan.discretisation);
+    let scheme = of.scheme();
     let note = "one quantity is advected: its norm is `value`";
     let names = [scene.name.as_str(), scheme.name()];
     let mut record = RunRecord::new(names, plan.particles, &result.run, note, seconds);
@@ -35,8 +36,8 @@ pub fn report(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun, seconds: 
         (true, Some(_)) => "one quantity is advected: the drift of its mean is `mass`".into(),
         (true, None) => "the mean is zero and has no relative drift: see `mean_drift`".into(),
     });
-    record.set("kernel", plan.method.kernel.name());
-    record.set("ratio", to_text(ratio));
+    record.set("kernel", of.kernel().name());
+    record.set("ratio", to_text(of.ratio()));
     record.set("cfl", result.courant_number);
     record.set(
         "layout",
@@ -62,14 +63,14 @@ pub fn report(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun, seconds: 
         caption: format!("{}, {}", scene.name, method_title(scheme.name())),
         files: vec![(".csv", profile_csv(result).into_bytes())],
         // Where values overflowed there is no profile to draw.
-        figure: completed.then(|| profile_figure(plan, ratio, result)),
+        figure: completed.then(|| profile_figure(plan, result)),
         record,
     }
 }
 
 /// What is to be said where equal steps to the end have another Courant number than the one asked for.
 fn courant_warning(plan: &RunPlan, result: &AdvectionRun) -> Option<String> {
-    let (asked, used) = (plan.method.courant_number, result.courant_number);
+    let (asked, used) = (plan.courant_number, result.courant_number);
     // Rounding of the quotient is no change.
     ((asked - used).abs() > 1e-12 * asked).then(|| {
         format!(
@@ -123,13 +124,13 @@ fn short(value: f64) -> f64 {
 }
 
 /// Computed and exact profile.
-pub fn profile_figure(plan: &RunPlan, ratio: &Rational, result: &AdvectionRun) -> Figure {
-    let method = &plan.method;
+pub fn profile_figure(plan: &RunPlan, result: &AdvectionRun) -> Figure {
+    let of = &plan.discretisation;
     let title = format!(
         "{}, {}, l/Δξ = {}, C = {}, N = {}, t = {}",
-        method.scheme.title(),
-        method.kernel.title(),
-        to_text(ratio),
+        of.scheme().title(),
+        of.kernel().title(),
+        to_text(of.ratio()),
         short(result.courant_number),
         plan.particles,
         short(result.run.time)
@@ -151,20 +152,20 @@ mod tests {
     use super::*;
     use courant_analysis::exact::rational::integer;
     use courant_analysis::kernel::Kernel;
-    use courant_simulation::advection::{AdvectionScene, AdvectionScheme, Method, run};
+    use courant_simulation::advection::{AdvectionScene, AdvectionScheme, Discretisation, run};
 
     fn plan(scheme: AdvectionScheme, courant_number: f64, end_time: f64) -> RunPlan {
         let scene = AdvectionScene { end_time, ..AdvectionScene::named("advection-step").unwrap() };
-        let kernel = Kernel::CubicSpline;
-        let method = Method { scheme, kernel, ratio: 2.0, courant_number };
-        RunPlan { scene, method, particles: 40, layout: Layout::Uniform }
+        let of = Discretisation::new(scheme, Kernel::CubicSpline, integer(2)).unwrap();
+        let layout = Layout::Uniform;
+        RunPlan { scene, discretisation: of, courant_number, particles: 40, layout }
     }
 
     #[test]
     fn an_overflow_is_a_failure_without_numbers() {
         let plan = plan(AdvectionScheme::EulerSph, 4.0, 1e4);
         let result = run(&plan).unwrap();
-        let record = report(&plan, &integer(2), &result, 0.1).record;
+        let record = report(&plan, &result, 0.1).record;
         assert!(!record.completed && record.l1.value.is_none() && record.more["l2"].is_null());
         assert!(record.failure.as_ref().unwrap().contains("the scheme is unstable at C = 4"));
         assert!(serde_json::to_value(&record).unwrap()["total_variation"].is_null());
@@ -185,7 +186,7 @@ mod tests {
                 (fields[2] - fields[3]).abs()
             })
             .sum();
-        let record = report(&plan, &integer(2), &result, 0.1).record;
+        let record = report(&plan, &result, 0.1).record;
         assert!((sum / 40.0 - record.l1.value.unwrap()).abs() < 1e-15);
         assert!(record.conservation.mass.unwrap().abs() < 1e-13);
     }

@@ -3,8 +3,9 @@
 use crate::number::finite;
 use courant_analysis::exact::rational::{Rational, from_f64, integer, to_f64, to_text};
 use courant_simulation::advection::{
-    Discretisation, Fault, Layout, ModeRow, Validation, ValidationError, ValidationPlan, validate,
+    Discretisation, Fault, Layout, ModeRow, Validation, ValidationPlan, validate,
 };
+use courant_simulation::run::InvalidOptions;
 use num_complex::Complex64;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -142,7 +143,7 @@ impl ValidatedCase {
 pub fn run_cases(
     cases: Vec<ValidationCase>,
     observe: &(dyn Fn(usize, usize) + Sync),
-) -> Result<Vec<ValidatedCase>, ValidationError> {
+) -> Result<Vec<ValidatedCase>, InvalidOptions> {
     let (all, done) = (cases.len(), AtomicUsize::new(0));
     let run = |case: ValidationCase| {
         let validation = validate(&case.plan);

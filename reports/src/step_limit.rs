@@ -9,7 +9,7 @@ use courant_analysis::kernel::{Density, Kernel};
 use courant_analysis::scheme::Step;
 use courant_analysis::scheme::catalogue::{self, SchemeFile};
 use courant_analysis::stability::{Evidence, Limit, PointVerdict, SearchPlan, decide_step_at};
-use courant_simulation::advection::{Discretisation, Method as AdvectionMethod, RunPlan};
+use courant_simulation::advection::RunPlan;
 use courant_simulation::method::Method;
 use courant_simulation::particles::{MethodOptions, ParticleMethod, Viscosity};
 use courant_simulation::scene::Material;
@@ -58,18 +58,16 @@ fn is_unstable(step: &Step, parameter: &str, used: f64) -> Option<bool> {
 }
 
 /// Of an advection scheme on the uniform lattice; `None` where no wave is proved to grow.
-pub fn advection(plan: &RunPlan, ratio: &Rational) -> Option<String> {
-    let AdvectionMethod { scheme, kernel, .. } = plan.method;
-    let used = plan.check().ok()?;
-    let of = Discretisation::new(scheme, kernel, ratio.clone()).ok()?;
+pub fn advection(plan: &RunPlan) -> Option<String> {
+    let (used, of) = (plan.check().ok()?, &plan.discretisation);
     is_unstable(of.step(), "C", used)?.then(|| {
         format!(
             "C = {} is beyond the stability limit of {}: {}, with {} at l/Δξ = {}; waves grow",
             significant(used, 6),
-            scheme.name(),
+            of.scheme().name(),
             stable_steps(&of.stable_set().limit(), "C"),
-            kernel.name(),
-            to_text(ratio)
+            of.kernel().name(),
+            to_text(of.ratio())
         )
     })
 }

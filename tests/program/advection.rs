@@ -218,7 +218,7 @@ fn bad_runs_are_refused_before_anything_is_written() {
         (vec!["advection-step", "--disorder", "0.1"], vec!["--disorder", "--layout"]),
         (vec!["advection-step", "--seed", "1"], vec!["--seed", "--layout"]),
         (vec!["advection-step", "--periods", "0"], vec!["--periods", "0"]),
-        (vec!["advection-square", "--time", "1e300"], vec!["--time 1", "steps would be needed"]),
+        (vec!["advection-square", "--time", "1e300"], vec!["--time 1", "steps", "would be needed"]),
         (vec!["advection-step", "--time", "1", "--periods", "1"], vec!["--time", "--periods"]),
         (
             vec!["advection-step", "--layout", "disordered", "--disorder", "1/2"],

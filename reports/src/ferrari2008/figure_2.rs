@@ -6,10 +6,12 @@ use crate::figure::{Axis, Color, Figure, Marker, Panel};
 use crate::number::significant;
 use crate::page::{Item, Section};
 use crate::paper_text::csv;
+use crate::study::plan::discretisation;
 use crate::{cells, words};
+use courant_analysis::exact::rational::integer;
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
-    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, Method, RunPlan, run,
+    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, RunPlan, run,
 };
 
 const SCHEMES: [(AdvectionScheme, Marker, Color); 2] = [
@@ -23,11 +25,10 @@ type Case = (AdvectionScene, u32, Vec<(RunPlan, AdvectionRun)>);
 fn cases() -> Vec<Case> {
     let runs = |scene: &AdvectionScene, periods: u32| {
         SCHEMES.map(|(scheme, ..)| {
-            let method =
-                Method { scheme, kernel: Kernel::CubicSpline, ratio: 2.0, courant_number: 1.0 };
             let plan = RunPlan {
                 scene: AdvectionScene { end_time: f64::from(periods), ..scene.clone() },
-                method,
+                discretisation: discretisation(scheme, Kernel::CubicSpline, &integer(2)),
+                courant_number: 1.0,
                 particles: 200,
                 layout: Layout::Uniform,
             };
@@ -80,7 +81,7 @@ fn panel(index: usize, (scene, periods, runs): &Case) -> Panel {
                 .fill(None)
                 .size(2.6)
                 .width(0.6)
-                .label(plan.method.scheme.title()),
+                .label(plan.discretisation.scheme().title()),
         );
     }
     panel
@@ -102,7 +103,7 @@ fn norms(cases: &[Case]) -> Item {
         runs.iter().map(move |(plan, run)| (scene, periods, plan, &run.comparison))
     });
     let rows = runs.map(|(scene, periods, plan, seen)| {
-        let mut row = cells![title(scene), periods, plan.method.scheme.title()];
+        let mut row = cells![title(scene), periods, plan.discretisation.scheme().title()];
         let numbers = [
             seen.l1,
             seen.l2,
@@ -121,7 +122,7 @@ fn norms(cases: &[Case]) -> Item {
 fn explanation(cases: &[Case]) -> Item {
     let [l, g] = SCHEMES.map(|(scheme, ..)| {
         let mut runs = cases[1].2.iter();
-        let found = runs.find(|(plan, _)| plan.method.scheme == scheme);
+        let found = runs.find(|(plan, _)| plan.discretisation.scheme() == scheme);
         &found.expect("both schemes were run").1.comparison
     });
     text().paragraph(

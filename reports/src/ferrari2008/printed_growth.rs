@@ -14,7 +14,7 @@ use courant_analysis::stability::weak_instability::{
     fastest_growth, growth_seen_by, steps_to_double,
 };
 use courant_simulation::advection::{
-    AdvectionScheme, Discretisation, Method, ParticlePath, Ring, RingModes, Stepper,
+    AdvectionScheme, Discretisation, ParticlePath, Ring, RingModes, Stepper,
 };
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -63,7 +63,7 @@ impl Run {
             .reduce(|best, other| if other.1.growth > best.1.growth { other } else { best })
             .expect("there are sizes to choose from");
         let mode = (wave.phase / TAU * particles as f64).round() as usize;
-        let history = history(Method::of(&of, courant_number), particles, mode);
+        let history = history(&of, courant_number, particles, mode);
         Self {
             of,
             courant_number,
@@ -85,10 +85,15 @@ impl Run {
 }
 
 /// The amplitude of a mode over a free run that begins with nothing else.
-fn history(method: Method, particles: usize, mode: usize) -> Vec<(f64, f64)> {
+fn history(
+    of: &Discretisation,
+    courant_number: f64,
+    particles: usize,
+    mode: usize,
+) -> Vec<(f64, f64)> {
     let ring = Ring::uniform(particles, particles as f64)
         .expect("a ring of 32 or more particles has room");
-    let mut stepper = ParticlePath::new(method, &ring);
+    let mut stepper = ParticlePath::new(of, courant_number, &ring);
     let modes = RingModes::new(particles);
     let mut amplitudes = vec![Complex64::ZERO; modes.count()];
     amplitudes[mode] = Complex64::ONE;

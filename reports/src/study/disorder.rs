@@ -7,9 +7,7 @@ use crate::page::{Item, Section};
 use crate::paper_text::{PaperText, csv};
 use crate::report::Detail;
 use crate::{cells, words};
-use courant_simulation::advection::{
-    AdvectionScheme, Discretisation, Method, ParticlePath, Ring, Stepper,
-};
+use courant_simulation::advection::{AdvectionScheme, Discretisation, ParticlePath, Ring, Stepper};
 use courant_simulation::stepping::eigenvalues;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -106,8 +104,7 @@ impl Study {
             let ring = |seed| Ring::disordered(plan.particles, length, disorder, seed);
             let rings = (0..sets).map(ring).collect::<Result<Vec<_>, _>>();
             let rings = rings.expect("there are particles, and the disorders are below one half");
-            let method = Method::of(of, courant_number);
-            let step = |ring| (ring, ParticlePath::new(method, ring));
+            let step = |ring| (ring, ParticlePath::new(of, courant_number, ring));
             let mut steps: Vec<_> = rings.iter().map(step).collect();
             let gains: Vec<f64> = steps.iter_mut().map(|(_, step)| spectral_radius(step)).collect();
             let stencil = of.stencil(courant_number);

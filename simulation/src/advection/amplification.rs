@@ -1,13 +1,12 @@
 //! What a step does to each mode, measured on the running code and set beside the prediction.
 
 use super::faulty::{Fault, Faulty};
-use super::method::{Method, MethodError};
 use super::modes::RingModes;
 use super::random::SplitMix64;
-use super::ring::RingError;
 use super::run::Layout;
 use super::scheme::Discretisation;
 use super::stepper::Stepper;
+use crate::run::{InvalidOptions, positive};
 use courant_analysis::exact::stencil::Stencil;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -54,20 +53,6 @@ impl Validation {
         // Written so that an error that is no number does not pass.
         self.max_error <= self.tolerance
     }
-}
-
-/// Why a validation cannot be run.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum ValidationError {
-    /// The method's numbers.
-    #[error(transparent)]
-    Method(#[from] MethodError),
-    /// There must be particles.
-    #[error(transparent)]
-    Ring(#[from] RingError),
-    /// There must be steps.
-    #[error("a validation takes at least one step")]
-    NoSteps,
 }
 
 /// What `courant validate` runs.
@@ -167,27 +152,27 @@ fn tolerance(stencil: &Stencil<f64>, particles: usize) -> f64 {
 ///
 /// # Errors
 /// When the Courant number is not positive and finite, or there are no particles or no steps.
-pub fn validate(plan: &ValidationPlan) -> Result<Validation, ValidationError> {
-    let method = Method::of(&plan.discretisation, plan.courant_number);
-    method.check()?;
-    if plan.steps == 0 {
-        return Err(ValidationError::NoSteps);
-    }
-    let (_, mut inner) = plan.layout.stepper(method, plan.particles, plan.particles as f64)?;
-    if let Some(fault) = plan.fault {
+pub fn validate(plan: &ValidationPlan) -> Result<Validation, InvalidOptions> {
+    let &ValidationPlan { ref discretisation, courant_number, particles, steps, layout, fault } =
+        plan;
+    positive("cfl", courant_number)?;
+    positive("steps", steps as f64)?;
+    let (_, mut inner) =
+        layout.stepper(discretisation, courant_number, particles, particles as f64)?;
+    if let Some(fault) = fault {
         inner = Box::new(Faulty { inner, fault });
     }
-    let stencil = plan.discretisation.stencil(plan.courant_number);
-    let modes = RingModes::new(plan.particles);
+    let stencil = discretisation.stencil(courant_number);
+    let modes = RingModes::new(particles);
     let row = |(mode, measured): (usize, Complex64)| {
         let phase = modes.phase(mode);
         let predicted = stencil.at_phase(phase);
         let error = (measured - predicted).norm();
         ModeRow { mode, phase, predicted, measured, error }
     };
-    let measured = measure_amplification(&mut *inner, &modes, plan.steps).into_iter();
+    let measured = measure_amplification(&mut *inner, &modes, steps).into_iter();
     let rows: Vec<ModeRow> = measured.enumerate().map(row).collect();
     let max_error = largest(rows.iter().map(|row| row.error));
-    let tolerance = tolerance(&stencil, plan.particles);
-    Ok(Validation { rows, steps: plan.steps, max_error, tolerance })
+    let tolerance = tolerance(&stencil, particles);
+    Ok(Validation { rows, steps, max_error, tolerance })
 }

@@ -1,8 +1,8 @@
 //! The fast path: on a uniform lattice every particle has the same neighbours at the same distances.
 
-use super::method::Method;
-use super::scheme::AdvectionScheme;
+use super::scheme::{AdvectionScheme, Discretisation};
 use super::stepper::Stepper;
+use courant_analysis::exact::rational::to_f64;
 use rayon::prelude::*;
 
 /// Rings below this size are stepped on one thread: a step is shorter than handing it out.
@@ -25,21 +25,20 @@ pub struct LatticeCoefficients {
 }
 
 impl LatticeCoefficients {
-    /// The coefficients of a method.
+    /// The coefficients of a scheme at a Courant number.
     ///
     /// A lattice point within 4 ulp of the edge of the support counts as on it: `q = k/ratio` carries the
     /// rounding of the ratio and of one division, and a product with the support one more.
     ///
     /// ```
-    /// use courant_analysis::kernel::Kernel;
-    /// use courant_simulation::advection::{AdvectionScheme, LatticeCoefficients, Method};
-    /// let upwind = LatticeCoefficients::new(Method {
-    ///     scheme: AdvectionScheme::GodunovSph, kernel: Kernel::CubicSpline, ratio: 1.0, courant_number: 0.25,
-    /// });
+    /// use courant_analysis::{exact::rational::integer, kernel::Kernel};
+    /// use courant_simulation::advection::{AdvectionScheme, Discretisation, LatticeCoefficients};
+    /// let upwind = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(1)).unwrap();
+    /// let upwind = LatticeCoefficients::new(&upwind, 0.25);
     /// assert_eq!((upwind.values, upwind.left), (vec![0.25, 0.75], 1));
     /// ```
-    pub fn new(method: Method) -> Self {
-        let Method { scheme, kernel, ratio, courant_number } = method;
+    pub fn new(of: &Discretisation, courant_number: f64) -> Self {
+        let (scheme, kernel, ratio) = (of.scheme(), of.kernel(), to_f64(of.ratio()));
         let support = kernel.support();
         let reach = (support * ratio * (1.0 + 4.0 * f64::EPSILON)).floor() as usize;
         let q = |k: usize| (k as f64 / ratio).min(support);
@@ -97,9 +96,9 @@ pub struct LatticePath {
 }
 
 impl LatticePath {
-    /// The method on so many particles, all values zero.
-    pub fn new(method: Method, particles: usize) -> Self {
-        Self::with_coefficients(LatticeCoefficients::new(method), particles)
+    /// The scheme at a Courant number on so many particles, all values zero.
+    pub fn new(of: &Discretisation, courant_number: f64, particles: usize) -> Self {
+        Self::with_coefficients(LatticeCoefficients::new(of, courant_number), particles)
     }
 
     /// Any one-step stencil.

@@ -4,15 +4,13 @@
 //! Two paths step the same schemes. The [particle path](ParticlePath) finds neighbours among positions,
 //! uniform or disordered, and evaluates the kernel between them. The [lattice path](LatticePath) applies
 //! the stencil that the kernel has on a uniform lattice. Neither knows the amplification factor: they
-//! share the kernel with `courant_analysis` and nothing else, so that what they
+//! share the kernel with `courant_analysis` and nothing else, of a [`Discretisation`] they read its names and its ratio, so that what they
 //! [measure](validate) confirms what is predicted.
 
 mod amplification;
 mod faulty;
 mod lattice_path;
-mod method;
 mod modes;
-mod neighbours;
 mod particle_path;
 mod profile;
 mod random;
@@ -22,16 +20,15 @@ mod scene;
 mod scheme;
 mod stepper;
 
-pub use amplification::{ModeRow, Validation, ValidationError, ValidationPlan, validate};
+pub use amplification::{ModeRow, Validation, ValidationPlan, validate};
 pub use faulty::Fault;
 pub use lattice_path::{LatticeCoefficients, LatticePath};
-pub use method::{Method, MethodError};
 pub use modes::RingModes;
 pub use particle_path::ParticlePath;
 pub use profile::{Comparison, Extrema, total_variation};
 pub use random::SplitMix64;
-pub use ring::{Ring, RingError};
-pub use run::{AdvectionRun, Layout, PlanError, RunPlan, run, run_with};
+pub use ring::Ring;
+pub use run::{AdvectionRun, Layout, RunPlan, run, run_with};
 pub use scene::{AdvectionScene, Piece};
 pub use scheme::{AdvectionScheme, Discretisation, UnknownScheme};
 pub use stepper::Stepper;

@@ -1,6 +1,7 @@
 //! Particle positions on a periodic line, and the volume each particle stands for.
 
 use super::random::SplitMix64;
+use crate::run::{InvalidOptions, positive};
 
 /// Particles on a periodic line of a given length, in ascending order.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,20 +11,6 @@ pub struct Ring {
     volumes: Vec<f64>,
 }
 
-/// Why positions make no ring.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum RingError {
-    /// There must be particles.
-    #[error("a ring needs at least one particle")]
-    Empty,
-    /// There must be room for them.
-    #[error("the length {0} of a ring must be positive and finite")]
-    Length(f64),
-    /// Neighbours displaced by half a spacing could meet.
-    #[error("the disorder {0} must be at least 0 and below 0.5 spacings")]
-    Disorder(f64),
-}
-
 impl Ring {
     /// `ξ_j = (j + 1/2) Δξ` with `Δξ = length/particles`. The particles sit in the middle of equal cells,
     /// so that a jump of the data on a cell's edge falls on no particle. With `length = particles` the
@@ -31,7 +18,7 @@ impl Ring {
     ///
     /// # Errors
     /// When there are no particles or no length.
-    pub fn uniform(particles: usize, length: f64) -> Result<Self, RingError> {
+    pub fn uniform(particles: usize, length: f64) -> Result<Self, InvalidOptions> {
         let spacing = checked_spacing(particles, length)?;
         let positions = (0..particles).map(|j| (j as f64 + 0.5) * spacing).collect();
         Ok(Self { length, positions, volumes: vec![spacing; particles] })
@@ -47,9 +34,9 @@ impl Ring {
         length: f64,
         disorder: f64,
         seed: u64,
-    ) -> Result<Self, RingError> {
+    ) -> Result<Self, InvalidOptions> {
         if !(0.0..0.5).contains(&disorder) {
-            return Err(RingError::Disorder(disorder));
+            return Err(InvalidOptions::Disorder(disorder));
         }
         let spacing = checked_spacing(particles, length)?;
         let mut random = SplitMix64::new(seed);
@@ -89,12 +76,10 @@ impl Ring {
     }
 }
 
-fn checked_spacing(particles: usize, length: f64) -> Result<f64, RingError> {
+fn checked_spacing(particles: usize, length: f64) -> Result<f64, InvalidOptions> {
     if particles == 0 {
-        return Err(RingError::Empty);
+        return Err(InvalidOptions::Particles { particles, least: 1 });
     }
-    if !(length > 0.0 && length.is_finite()) {
-        return Err(RingError::Length(length));
-    }
+    positive("length", length)?;
     Ok(length / particles as f64)
 }

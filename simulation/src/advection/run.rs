@@ -1,18 +1,20 @@
 //! One run of one scene: plan, outcome, profiles, errors, work.
 
 use super::lattice_path::LatticePath;
-use super::method::{Method, MethodError};
 use super::particle_path::ParticlePath;
 use super::profile::Comparison;
-use super::ring::{Ring, RingError};
+use super::ring::Ring;
 use super::scene::AdvectionScene;
+use super::scheme::Discretisation;
 use super::stepper::Stepper;
 use crate::march::{Evolution, Limits, march};
-use crate::run::{Conservation, Counters, Failure, Penetration, Promise, Reason, Run};
+use crate::run::{
+    Conservation, Counters, Failure, InvalidOptions, Penetration, Promise, Reason, Run, positive,
+};
 use std::ops::ControlFlow;
 
 /// A run that will need more steps than this does not start.
-const MOST_STEPS: f64 = 1e9;
+const MOST_STEPS: usize = 1_000_000_000;
 
 /// Steps between two looks at the state.
 const LOOK_EVERY: u64 = 256;
@@ -37,10 +39,11 @@ impl Layout {
     /// So many particles on a ring of that length, and what steps them, all values zero.
     pub(super) fn stepper(
         self,
-        method: Method,
+        of: &Discretisation,
+        courant_number: f64,
         particles: usize,
         length: f64,
-    ) -> Result<(Ring, Box<dyn Stepper>), RingError> {
+    ) -> Result<(Ring, Box<dyn Stepper>), InvalidOptions> {
         let ring = match self {
             Self::Lattice | Self::Uniform => Ring::uniform(particles, length)?,
             Self::Disordered { disorder, seed } => {
@@ -48,8 +51,10 @@ impl Layout {
             }
         };
         let stepper: Box<dyn Stepper> = match self {
-            Self::Lattice => Box::new(LatticePath::new(method, particles)),
-            Self::Uniform | Self::Disordered { .. } => Box::new(ParticlePath::new(method, &ring)),
+            Self::Lattice => Box::new(LatticePath::new(of, courant_number, particles)),
+            Self::Uniform | Self::Disordered { .. } => {
+                Box::new(ParticlePath::new(of, courant_number, &ring))
+            }
         };
         Ok((ring, stepper))
     }
@@ -60,30 +65,14 @@ impl Layout {
 pub struct RunPlan {
     /// The data, and when to stop.
     pub scene: AdvectionScene,
-    /// The scheme. Its Courant number is an upper bound: the one used lands on the end time in equal
-    /// steps.
-    pub method: Method,
+    /// Scheme, kernel, ratio.
+    pub discretisation: Discretisation,
+    /// The Courant number `a Δt/Δξ`, an upper bound: the one used lands on the end time in equal steps.
+    pub courant_number: f64,
     /// How many particles on the period.
     pub particles: usize,
     /// The positions.
     pub layout: Layout,
-}
-
-/// Why a plan cannot be run.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum PlanError {
-    /// The method's numbers.
-    #[error(transparent)]
-    Method(#[from] MethodError),
-    /// The particles.
-    #[error(transparent)]
-    Ring(#[from] RingError),
-    /// The end time.
-    #[error("the end time {0} must be positive and finite")]
-    EndTime(f64),
-    /// More steps than a run may take.
-    #[error("{0:.3e} steps would be needed, at most {MOST_STEPS:.0e} are run")]
-    Steps(f64),
 }
 
 /// What a run gives.
@@ -111,7 +100,7 @@ pub struct AdvectionRun {
 /// an integer is taken as that integer.
 fn equal_steps(plan: &RunPlan) -> (f64, f64) {
     let way = plan.scene.periods() * plan.particles as f64;
-    let steps = way / plan.method.courant_number;
+    let steps = way / plan.courant_number;
     let steps = (steps * (1.0 - 4.0 * f64::EPSILON)).ceil().max(1.0);
     (steps, way / steps)
 }
@@ -121,15 +110,12 @@ impl RunPlan {
     ///
     /// # Errors
     /// When a number is out of range, or too many steps would be needed.
-    pub fn check(&self) -> Result<f64, PlanError> {
-        self.method.check()?;
-        let end = self.scene.end_time;
-        if !(end > 0.0 && end.is_finite()) {
-            return Err(PlanError::EndTime(end));
-        }
+    pub fn check(&self) -> Result<f64, InvalidOptions> {
+        positive("cfl", self.courant_number)?;
+        positive("time", self.scene.end_time)?;
         match equal_steps(self) {
-            (steps, courant_number) if steps <= MOST_STEPS => Ok(courant_number),
-            (steps, _) => Err(PlanError::Steps(steps)),
+            (steps, courant_number) if steps <= MOST_STEPS as f64 => Ok(courant_number),
+            (needed, _) => Err(InvalidOptions::TooMuch { what: "steps", needed, most: MOST_STEPS }),
         }
     }
 }
@@ -137,13 +123,18 @@ impl RunPlan {
 /// Runs a plan.
 ///
 /// ```
-/// use courant_analysis::kernel::Kernel;
-/// use courant_simulation::advection::{AdvectionScene, AdvectionScheme, run, Layout, Method, RunPlan};
-/// let method = Method {
-///     scheme: AdvectionScheme::GodunovSph, kernel: Kernel::CubicSpline, ratio: 2.0, courant_number: 1.0,
+/// use courant_analysis::{exact::rational::integer, kernel::Kernel};
+/// use courant_simulation::advection::{
+///     AdvectionScene, AdvectionScheme, Discretisation, Layout, RunPlan, run,
 /// };
-/// let scene = AdvectionScene::named("advection-step").unwrap();
-/// let plan = RunPlan { scene, method, particles: 200, layout: Layout::Lattice };
+/// let plan = RunPlan {
+///     scene: AdvectionScene::named("advection-step").unwrap(),
+///     discretisation: Discretisation::new(
+///         AdvectionScheme::GodunovSph, Kernel::CubicSpline, integer(2)).unwrap(),
+///     courant_number: 1.0,
+///     particles: 200,
+///     layout: Layout::Lattice,
+/// };
 /// let result = run(&plan).unwrap();
 /// assert_eq!((result.run.steps, result.run.counters.interactions), (200, 200 * 200 * 3));
 /// assert!(result.comparison.extrema.max <= 1.0 + 1e-12);   // monotone below C = 8/5
@@ -151,7 +142,7 @@ impl RunPlan {
 ///
 /// # Errors
 /// When the plan's numbers are out of range.
-pub fn run(plan: &RunPlan) -> Result<AdvectionRun, PlanError> {
+pub fn run(plan: &RunPlan) -> Result<AdvectionRun, InvalidOptions> {
     run_with(plan, |_| ControlFlow::Continue(()))
 }
 
@@ -162,12 +153,12 @@ pub fn run(plan: &RunPlan) -> Result<AdvectionRun, PlanError> {
 pub fn run_with(
     plan: &RunPlan,
     mut observe: impl FnMut(f64) -> ControlFlow<()>,
-) -> Result<AdvectionRun, PlanError> {
+) -> Result<AdvectionRun, InvalidOptions> {
     plan.check()?;
     let scene = &plan.scene;
     let (total, courant_number) = equal_steps(plan);
-    let method = Method { courant_number, ..plan.method };
-    let (ring, mut stepper) = plan.layout.stepper(method, plan.particles, 1.0)?;
+    let (ring, mut stepper) =
+        plan.layout.stepper(&plan.discretisation, courant_number, plan.particles, 1.0)?;
     let mut positions: Vec<f64> = ring.positions().iter().map(|&part| scene.place(part)).collect();
     let mut initial: Vec<f64> = positions.iter().map(|&x| scene.initial(x)).collect();
     stepper.set_state(&initial);

@@ -1,7 +1,7 @@
 //! The measures on profiles whose faults are known.
 
 use super::{Comparison, WaveKind};
-use crate::run::{Conservation, Counters, Penetration, Profile, Run};
+use crate::run::{Profile, Run};
 use crate::scene::Scene;
 
 fn tube(name: &str) -> Scene {
@@ -21,19 +21,7 @@ fn exact_run(scene: &Scene, n: usize, shift: f64) -> Run {
         profile.pressure.push(state.pressure());
         profile.energy.push(scene.material.internal_energy(&state).expect("an ideal gas"));
     }
-    Run {
-        profile,
-        steps: 0,
-        rejected: 0,
-        time,
-        failure: None,
-        cancelled: false,
-        conservation: Conservation::default(),
-        counters: Counters::default(),
-        penetration: Penetration::default(),
-        waiting: [0; 2],
-        warnings: Vec::new(),
-    }
+    Run { profile, time, ..Run::default() }
 }
 
 #[test]

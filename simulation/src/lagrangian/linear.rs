@@ -90,8 +90,8 @@ impl UniformFlow {
         let spacing = self.state.density() / self.particles as f64;
         let states = (0..self.particles).map(|i| {
             let change = characteristics.change(strengths(i).map(|a| a * base.volume));
-            let [volume, velocity, energy] = [0, 1, 2].map(|c| base.conserved()[c] + change[c]);
-            let state = LagrangianState::from_conserved(self.gas, [volume, velocity, energy]);
+            let conserved = [0, 1, 2].map(|c| base.conserved()[c] + change[c]);
+            let state = LagrangianState::from_conserved(self.gas, conserved);
             State::trusted(state.density, state.velocity, state.pressure)
         });
         let x = (0..self.particles).map(|i| (i as f64 + 0.5) / self.particles as f64);

@@ -45,9 +45,7 @@ impl LagrangianOptions {
     pub fn new(flux: Flux) -> Self {
         Self { kernel: Kernel::CubicSpline, ratio: 2.0, flux, cfl: 0.9, step: StepRule::Current }
     }
-}
 
-impl LagrangianOptions {
     /// Whether the options make sense; the least number of particles.
     pub(crate) fn check(&self) -> Result<usize, InvalidOptions> {
         let lattice = Lattice::new(self.kernel, self.ratio)?;

@@ -111,7 +111,7 @@ pub struct Penetration {
 }
 
 /// The result of a run, with a profile `P`. A run that broke down is a result too: see [`failure`](Self::failure).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Run<P = Profile> {
     /// The state at [`time`](Self::time); no energies for an isothermal gas.
     pub profile: P,

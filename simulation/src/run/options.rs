@@ -26,6 +26,9 @@ pub enum InvalidOptions {
         /// Its value.
         value: f64,
     },
+    /// Neighbours displaced by half a spacing could meet.
+    #[error("disorder = {0}: at least 0 and below 1/2 spacing is needed")]
+    Disorder(f64),
     /// Fewer particles than the method needs.
     #[error("particles = {particles}: at least {least} are needed")]
     Particles {

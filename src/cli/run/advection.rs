@@ -5,10 +5,10 @@ use super::choices::one;
 use crate::cli::numbers::{Names, Numbers};
 use crate::cli::{Failure, numbers};
 use clap::{Args, ValueEnum};
-use courant::analysis::exact::rational::{Rational, integer, to_f64, to_text};
+use courant::analysis::exact::rational::{Rational, integer, to_f64};
 use courant::analysis::kernel::Kernel;
 use courant::simulation::advection::{
-    AdvectionScene, AdvectionScheme, Layout, Method, PlanError, RunPlan,
+    AdvectionScene, AdvectionScheme, Discretisation, Layout, RunPlan,
 };
 use courant::simulation::scene::Quantity;
 
@@ -67,22 +67,12 @@ fn wave_numbers(text: &str) -> Result<Names<usize>, String> {
     numbers::counts(text, 1, 100_000)
 }
 
-/// A plan that cannot be run, by its options.
-pub fn invalid(error: &PlanError, arguments: &Arguments) -> Failure {
-    let options = match (error, arguments.time(), one(&arguments.advection.periods)) {
-        (PlanError::Steps(_), Some(time), _) => format!("--time {}: ", to_text(time)),
-        (PlanError::Steps(_), _, Some(periods)) => format!("--periods {}: ", to_text(periods)),
-        _ => String::new(),
-    };
-    Failure::Message(format!("{options}{error}"))
-}
-
-/// The arguments as a plan, and the ratio as it was written.
+/// The arguments as a plan.
 pub fn plan(
     arguments: &Arguments,
     scene: &AdvectionScene,
     method: &str,
-) -> Result<(RunPlan, Rational), Failure> {
+) -> Result<RunPlan, Failure> {
     let options = &arguments.advection;
     let scheme = method.parse().expect("the name is one of these schemes");
     arguments.choices.only(&[], "an advection scheme")?;
@@ -121,13 +111,11 @@ pub fn plan(
         AdvectionScheme::LaxWendroffSph | AdvectionScheme::GodunovSph => 1.0,
     };
     let ratio = arguments.ratio().cloned().unwrap_or_else(|| integer(2));
-    let method = Method {
-        scheme,
-        kernel: arguments.kernel().unwrap_or(Kernel::CubicSpline),
-        ratio: to_f64(&ratio),
-        courant_number: arguments.cfl().map_or(default_courant, to_f64),
-    };
-    Ok((RunPlan { scene, method, particles, layout }, ratio))
+    let kernel = arguments.kernel().unwrap_or(Kernel::CubicSpline);
+    let discretisation = Discretisation::new(scheme, kernel, ratio)
+        .map_err(|error| Failure::Message(format!("--ratio: {error}")))?;
+    let courant_number = arguments.cfl().map_or(default_courant, to_f64);
+    Ok(RunPlan { scene, discretisation, courant_number, particles, layout })
 }
 
 /// Puts --waves and --seed into the noise of a scene; whether it has one.

@@ -1,6 +1,7 @@
 //! Particle methods and their options, alike for scenes in one, two and three dimensions.
 
 use super::Arguments;
+use super::choices::one;
 use crate::cli::Failure;
 use courant::analysis::exact::rational::{to_f64, to_text};
 use courant::analysis::kernel::Kernel;
@@ -65,8 +66,14 @@ pub fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &str) -> F
         InvalidOptions::BlockIntegrator(name) => {
             format!("--integrator {name}: --levels needs centred-euler")
         }
-        InvalidOptions::TooMuch { .. } => {
-            format!("SCENE {}, --method {method}: {error}", arguments.scene())
+        InvalidOptions::TooMuch { what, .. } => {
+            let time =
+                [("--time", arguments.time()), ("--periods", one(&arguments.advection.periods))];
+            let time = time.into_iter().find_map(|(option, value)| Some((option, value?)));
+            match time.filter(|_| *what == "steps") {
+                Some((option, value)) => format!("{option} {}: {error}", to_text(value)),
+                None => format!("SCENE {}, --method {method}: {error}", arguments.scene()),
+            }
         }
         other => format!("--method {method}: {other}"),
     })

@@ -3,7 +3,7 @@
 use super::particle_options::{self, invalid};
 use super::{Arguments, advection, boxes, methods};
 use crate::cli::Failure;
-use courant::analysis::exact::rational::{Rational, to_f64, to_text};
+use courant::analysis::exact::rational::{to_f64, to_text};
 use courant::reports::run_record::RunReport;
 use courant::reports::{advection_profile, cloud_profile, field_profile, gas_run, step_limit};
 use courant::simulation::advection::{RunPlan, run_with};
@@ -20,7 +20,7 @@ use std::time::Instant;
 
 /// A run that can start, by the kind of its scene.
 pub enum Plan {
-    Advection(RunPlan, Rational),
+    Advection(RunPlan),
     Line(Scene, Method),
     Field(FieldScene, MethodOptions),
     Cloud(Cloud, MethodOptions),
@@ -38,9 +38,9 @@ impl Plan {
         let refused = |error: &InvalidOptions| invalid(error, arguments, &method);
         match scene {
             AnyScene::Advection(scene) => {
-                let (plan, ratio) = advection::plan(arguments, &scene, &method)?;
-                plan.check().map_err(|error| advection::invalid(&error, arguments))?;
-                Ok(Self::Advection(plan, ratio))
+                let plan = advection::plan(arguments, &scene, &method)?;
+                plan.check().map_err(|error| refused(&error))?;
+                Ok(Self::Advection(plan))
             }
             AnyScene::Line(mut scene) => {
                 scene.particles = arguments.particles().unwrap_or(scene.particles);
@@ -72,7 +72,7 @@ impl Plan {
     /// The name of the scene, and when it ends.
     pub fn scene(&self) -> (&str, f64) {
         match self {
-            Self::Advection(plan, _) => (&plan.scene.name, plan.scene.end_time),
+            Self::Advection(plan) => (&plan.scene.name, plan.scene.end_time),
             Self::Line(scene, _) => (&scene.name, scene.end_time),
             Self::Field(scene, _) => (&scene.name, scene.end_time),
             Self::Cloud(cloud, _) => (&cloud.name, cloud.end_time),
@@ -82,7 +82,7 @@ impl Plan {
     /// What is said before it starts: a step beyond the proved limit.
     pub fn beyond_limit(&self, arguments: &Arguments) -> Option<String> {
         let (gas, method) = match self {
-            Self::Advection(plan, ratio) => return step_limit::advection(plan, ratio),
+            Self::Advection(plan) => return step_limit::advection(plan),
             Self::Line(scene, method) => (scene.material, *method),
             Self::Field(scene, options) => (scene.gas, Method::Particles(*options)),
             Self::Cloud(cloud, options) => (cloud.material, Method::Particles(*options)),
@@ -100,7 +100,7 @@ impl Plan {
         let seconds = || start.elapsed().as_secs_f64();
         let refused = |error: &InvalidOptions| {
             let method = match self {
-                Self::Advection(plan, _) => plan.method.scheme.name(),
+                Self::Advection(plan) => plan.discretisation.scheme().name(),
                 Self::Line(_, method) => method.name(),
                 Self::Field(_, options) | Self::Cloud(_, options) => options.method.name(),
             };
@@ -108,10 +108,9 @@ impl Plan {
         };
         let ratio = |used| particle_options::ratio(arguments, used);
         match self {
-            Self::Advection(plan, ratio) => {
-                let result = run_with(plan, observe)
-                    .map_err(|error| advection::invalid(&error, arguments))?;
-                Ok(advection_profile::report(plan, ratio, &result, seconds()))
+            Self::Advection(plan) => {
+                let result = run_with(plan, observe).map_err(|error| refused(&error))?;
+                Ok(advection_profile::report(plan, &result, seconds()))
             }
             Self::Line(scene, method) => {
                 let run = method.run_with(scene, scene.particles, observe);

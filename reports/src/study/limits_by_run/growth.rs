@@ -1,6 +1,6 @@
 //! Whether a running scheme grows: noise as seed, growth told from transients.
 
-use courant_simulation::advection::{Discretisation, LatticePath, Method, SplitMix64, Stepper};
+use courant_simulation::advection::{Discretisation, LatticePath, SplitMix64, Stepper};
 
 /// The seed of the noise that runs start from.
 const SEED: u64 = 20_080_101;
@@ -54,7 +54,7 @@ pub(super) fn noise_growth(
     particles: usize,
     plan: &GrowthPlan,
 ) -> Growth {
-    let mut stepper = LatticePath::new(Method::of(case, courant_number), particles);
+    let mut stepper = LatticePath::new(case, courant_number, particles);
     let mut random = SplitMix64::new(SEED);
     let mut values: Vec<f64> = (0..particles).map(|_| random.symmetric()).collect();
     remove_mean(&mut values);

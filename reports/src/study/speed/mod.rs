@@ -10,10 +10,10 @@ use crate::page::{Item, Section};
 use crate::paper_text::{PaperText, csv};
 use crate::report::Detail;
 use crate::{cells, words};
-use courant_analysis::exact::rational::{Rational, integer};
+use courant_analysis::exact::rational::{Rational, integer, to_f64, to_text};
 use courant_analysis::kernel::Kernel;
 use courant_simulation::advection::{
-    AdvectionRun, AdvectionScene, AdvectionScheme, Layout, Method, RunPlan, run,
+    AdvectionRun, AdvectionScene, AdvectionScheme, Discretisation, Layout, RunPlan, run,
 };
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -74,9 +74,10 @@ struct Neighbours {
 }
 
 /// A choice: scheme, kernel, ratio, and the Courant number, as a share of the limit where there is one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 struct Choice {
-    method: Method,
+    of: Discretisation,
+    courant_number: f64,
     share: Option<f64>,
 }
 
@@ -115,8 +116,7 @@ fn choices(plan: &Plan, detail: Detail) -> Vec<Choice> {
                 let of_limit = shares.iter().map(|share| (share * limit, Some(*share)));
                 for (courant_number, share) in of_limit.chain(courant.iter().map(|c| (*c, None))) {
                     if courant_number > 0.0 {
-                        let method = Method::of(&discretisation, courant_number);
-                        choices.push(Choice { method, share });
+                        choices.push(Choice { of: discretisation.clone(), courant_number, share });
                     }
                 }
             }
@@ -126,8 +126,13 @@ fn choices(plan: &Plan, detail: Detail) -> Vec<Choice> {
 }
 
 fn point(scene: &AdvectionScene, choices: &[Choice], (choice, particles): (usize, usize)) -> Point {
-    let (scene, method) = (scene.clone(), choices[choice].method);
-    let plan = RunPlan { scene, method, particles, layout: Layout::Lattice };
+    let plan = RunPlan {
+        scene: scene.clone(),
+        discretisation: choices[choice].of.clone(),
+        courant_number: choices[choice].courant_number,
+        particles,
+        layout: Layout::Lattice,
+    };
     let start = Instant::now();
     let run = run(&plan).expect("the numbers of the plan are in range");
     Point { choice, particles, run, seconds: start.elapsed().as_secs_f64() }
@@ -162,7 +167,7 @@ impl Test<'_> {
     /// neighbours.
     fn costs(&self, among: &Neighbours) -> Vec<(f64, f64)> {
         let cost = |point: &Point| {
-            if self.choices[point.choice].method.ratio < among.from {
+            if to_f64(self.choices[point.choice].of.ratio()) < among.from {
                 return (f64::NAN, f64::NAN);
             }
             (point.run.run.counters.interactions as f64, point.run.comparison.l1)
@@ -177,7 +182,7 @@ impl Test<'_> {
 
     /// The scheme of a run.
     fn scheme(&self, point: &Point) -> AdvectionScheme {
-        self.choices[point.choice].method.scheme
+        self.choices[point.choice].of.scheme()
     }
 
     /// Runs with larger errors than the data themselves, or with an error that is no number.
@@ -281,10 +286,10 @@ fn figure(test: &Test<'_>) -> Figure {
 fn data(test: &Test<'_>) -> Vec<u8> {
     let front = test.front(&test.plan.among[0]);
     let rows = test.points.iter().enumerate().map(|(index, point)| {
-        let (Choice { method, share }, run) = (&test.choices[point.choice], &point.run);
+        let (Choice { of, share, .. }, run) = (&test.choices[point.choice], &point.run);
         let share = share.map_or_else(String::new, |share| share.to_string());
         let mut cells =
-            cells![method.scheme, method.kernel.name(), method.ratio, share, run.courant_number];
+            cells![of.scheme(), of.kernel().name(), to_text(of.ratio()), share, run.courant_number];
         let seen = &run.comparison;
         cells.extend(cells![point.particles, run.run.steps, seen.l1, seen.l2, seen.l_infinity]);
         cells.extend(cells![run.run.counters.interactions, front.contains(&index), point.seconds]);
@@ -328,15 +333,15 @@ mod tests {
         // With several neighbours nothing of ratio 1 is left.
         let several = test.front(several);
         assert!(!several.is_empty());
-        assert!(several.iter().all(|&i| choices[test.points[i].choice].method.ratio == 2.0));
+        assert!(several.iter().all(|&i| *choices[test.points[i].choice].of.ratio() == integer(2)));
     }
 
     #[test]
     fn a_courant_number_is_a_share_of_the_limit() {
         let found = choices(&toml::from_str(PLAN).unwrap(), Detail::Quick);
-        let godunov = found.iter().find(|choice| choice.method.ratio == 2.0);
+        let godunov = found.iter().find(|choice| *choice.of.ratio() == integer(2));
         // Half of 15/8, and a little more for the growth allowed.
-        let courant_number = godunov.unwrap().method.courant_number;
+        let courant_number = godunov.unwrap().courant_number;
         assert!((0.9375..0.9385).contains(&courant_number), "{courant_number}");
     }
 }

@@ -6,15 +6,15 @@ use crate::cells;
 use crate::number::significant;
 use crate::page::Item;
 use crate::paper_text::PaperText;
-use courant_simulation::advection::Method;
+use courant_analysis::exact::rational::to_text;
 
 fn describe(choice: &Choice) -> String {
-    let Method { scheme, kernel, ratio, courant_number } = choice.method;
     format!(
-        "{}, {}, l/Δξ = {ratio}, C = {}",
-        scheme.title(),
-        kernel.title(),
-        significant(courant_number, 3)
+        "{}, {}, l/Δξ = {}, C = {}",
+        choice.of.scheme().title(),
+        choice.of.kernel().title(),
+        to_text(choice.of.ratio()),
+        significant(choice.courant_number, 3)
     )
 }
 

@@ -3,7 +3,8 @@ mod runs;
 mod validation;
 
 use super::*;
-use courant_analysis::exact::rational::{Rational, parse, to_f64};
+use crate::run::InvalidOptions;
+use courant_analysis::exact::rational::{Rational, from_f64, parse, to_f64};
 use courant_analysis::kernel::Kernel;
 
 /// Both codes on one lattice.
@@ -15,10 +16,6 @@ fn discretisation(scheme: AdvectionScheme, kernel: Kernel, ratio: &str) -> Discr
 
 fn exact(text: &str) -> Rational {
     parse(text).unwrap()
-}
-
-fn method(scheme: AdvectionScheme, kernel: Kernel, ratio: &str, courant_number: f64) -> Method {
-    Method { scheme, kernel, ratio: to_f64(&exact(ratio)), courant_number }
 }
 
 /// Noise between −1 and 1.

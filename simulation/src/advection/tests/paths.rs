@@ -1,7 +1,6 @@
 //! Edges of supports, the two paths, and what they keep.
 
 use super::*;
-use crate::advection::neighbours::Neighbours;
 use courant_analysis::kernel::lattice::LatticeWeights;
 use proptest::prelude::*;
 
@@ -13,19 +12,14 @@ const RATIOS: [&str; 10] = ["1", "4/3", "2/3", "10/3", "1.3", "1.2", "0.3", "2",
 fn the_edge_of_the_support_is_decided_as_the_analysis_does() {
     for ratio in RATIOS {
         let weights = LatticeWeights::new(Kernel::Gaussian, &exact(ratio)).unwrap();
+        let euler = discretisation(AdvectionScheme::EulerSph, Kernel::Gaussian, ratio);
         let reach = weights.reach();
         for (particles, length) in [(40, 40.0), (200, 1.0), (997, 1.0), (20_000, 1.0)] {
             let ring = Ring::uniform(particles, length).unwrap();
-            let support = 3.0 * to_f64(&exact(ratio)) * ring.spacing();
-            let found = Neighbours::find(&ring, support);
-            assert_eq!(found.pairs(), (2 * reach * particles) as u64, "{ratio} on {particles}");
+            let found = ParticlePath::new(&euler, 1.0, &ring).interactions_per_step();
+            assert_eq!(found, (2 * reach * particles) as u64, "{ratio} on {particles}");
         }
-        let coefficients = LatticeCoefficients::new(method(
-            AdvectionScheme::EulerSph,
-            Kernel::Gaussian,
-            ratio,
-            1.0,
-        ));
+        let coefficients = LatticeCoefficients::new(&euler, 1.0);
         assert_eq!(
             (coefficients.left, coefficients.values.len()),
             (reach, 2 * reach + 1),
@@ -36,11 +30,12 @@ fn the_edge_of_the_support_is_decided_as_the_analysis_does() {
 
 #[test]
 fn a_ratio_short_by_a_rounding_keeps_the_edge() {
-    let exact_ratio = method(AdvectionScheme::GodunovSph, Kernel::Gaussian, "4/3", 1.0);
-    let rounded = Method { ratio: exact_ratio.ratio.next_down(), ..exact_ratio };
-    assert!(3.0 * rounded.ratio < 4.0 && 4.0 / rounded.ratio > 3.0);
-    let (exact, rounded) =
-        (LatticeCoefficients::new(exact_ratio), LatticeCoefficients::new(rounded));
+    let short = to_f64(&exact("4/3")).next_down();
+    assert!(3.0 * short < 4.0 && 4.0 / short > 3.0);
+    let [exact, rounded] = [exact("4/3"), from_f64(short).unwrap()].map(|ratio| {
+        let of = Discretisation::new(AdvectionScheme::GodunovSph, Kernel::Gaussian, ratio);
+        LatticeCoefficients::new(&of.unwrap(), 1.0)
+    });
     assert_eq!(rounded.left, 4);
     assert!(rounded.values[0] > 1e-4 && distance(&exact.values, &rounded.values) < 1e-14);
 }
@@ -49,11 +44,11 @@ fn a_ratio_short_by_a_rounding_keeps_the_edge() {
 fn the_edge_has_its_weight_on_every_ring() {
     // On [0, 1] the smoothing length and the distances are rounded anew for every number of particles.
     for ratio in ["1", "4/3", "10/3"] {
-        let method = method(AdvectionScheme::GodunovSph, Kernel::Gaussian, ratio, 0.5);
+        let of = discretisation(AdvectionScheme::GodunovSph, Kernel::Gaussian, ratio);
         for particles in 20..200 {
             let start = noise(particles, 12);
             let [a, b] = EQUALLY_SPACED.map(|layout| {
-                let (_, mut stepper) = layout.stepper(method, particles, 1.0).unwrap();
+                let (_, mut stepper) = layout.stepper(&of, 0.5, particles, 1.0).unwrap();
                 stepper.set_state(&start);
                 stepper.step();
                 stepper.state().to_vec()
@@ -69,9 +64,9 @@ fn lattice_coefficients_are_the_exact_stencil() {
     for scheme in AdvectionScheme::ALL {
         for kernel in Kernel::ALL {
             for ratio in RATIOS {
-                let one_step = discretisation(scheme, kernel, ratio).one_step();
-                let stencil = one_step.stencil_at(&exact("7/8"));
-                let found = LatticeCoefficients::new(method(scheme, kernel, ratio, 0.875));
+                let of = discretisation(scheme, kernel, ratio);
+                let stencil = of.one_step().stencil_at(&exact("7/8"));
+                let found = LatticeCoefficients::new(&of, 0.875);
                 // Kernel values are right to 1e-13 of numbers below 1; small ratios enlarge them.
                 let tolerance = 1e-13 * to_f64(&exact(ratio)).powi(-3).max(1.0);
                 for offset in -16i64..=16 {
@@ -122,7 +117,7 @@ fn the_lattice_path_is_the_plain_loop_bit_by_bit() {
 #[test]
 fn threads_do_not_change_a_bit() {
     const COUNT: usize = 70_000; // above the sizes from which both paths are split
-    let method = method(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, "2", 0.8);
+    let of = discretisation(AdvectionScheme::LaxWendroffSph, Kernel::CubicSpline, "2");
     let start = noise(COUNT, 8);
     let ring = Ring::disordered(COUNT, 1.0, 0.2, 6).unwrap();
     let end = |threads: usize, mut stepper: Box<dyn Stepper + Send>| -> Vec<f64> {
@@ -131,8 +126,8 @@ fn threads_do_not_change_a_bit() {
         pool.install(|| (0..3).for_each(|_| stepper.step()));
         stepper.state().to_vec()
     };
-    let lattice = LatticePath::new(method, COUNT);
-    let particles = ParticlePath::new(method, &ring);
+    let lattice = LatticePath::new(&of, 0.8, COUNT);
+    let particles = ParticlePath::new(&of, 0.8, &ring);
     assert_eq!(end(1, Box::new(lattice.clone())), end(3, Box::new(lattice.clone())));
     assert_eq!(end(1, Box::new(particles.clone())), end(3, Box::new(particles)));
     let mut plain = start.clone();
@@ -145,8 +140,8 @@ fn godunov_conserves_on_any_positions() {
     // The pair (i, j) exchanges V_i V_j W' f: what one gives the other takes.
     for disorder in [0.0, 0.1, 0.4] {
         let ring = Ring::disordered(64, 1.0, disorder, 1).unwrap();
-        let method = method(AdvectionScheme::GodunovSph, Kernel::QuinticSpline, "1.7", 0.3);
-        let mut stepper = ParticlePath::new(method, &ring);
+        let of = discretisation(AdvectionScheme::GodunovSph, Kernel::QuinticSpline, "1.7");
+        let mut stepper = ParticlePath::new(&of, 0.3, &ring);
         stepper.set_state(&noise(64, 7));
         let total = |values: &[f64]| -> f64 {
             values.iter().zip(ring.volumes()).map(|(value, volume)| value * volume).sum()
@@ -169,7 +164,9 @@ proptest! {
 
 #[test]
 fn impossible_rings_are_refused() {
-    assert_eq!(Ring::uniform(0, 1.0), Err(RingError::Empty));
-    assert_eq!(Ring::uniform(3, 0.0), Err(RingError::Length(0.0)));
-    assert_eq!(Ring::disordered(3, 1.0, 0.5, 0), Err(RingError::Disorder(0.5)));
+    let nobody = InvalidOptions::Particles { particles: 0, least: 1 };
+    assert_eq!(Ring::uniform(0, 1.0), Err(nobody));
+    let no_length = InvalidOptions::NotPositive { name: "length", value: 0.0 };
+    assert_eq!(Ring::uniform(3, 0.0), Err(no_length));
+    assert_eq!(Ring::disordered(3, 1.0, 0.5, 0), Err(InvalidOptions::Disorder(0.5)));
 }

@@ -126,8 +126,9 @@ fn impossible_validations_are_refused() {
     );
     let refused = |plan: ValidationPlan| validate(&plan).unwrap_err();
     let none = ValidationPlan { particles: 0, ..good.clone() };
-    assert_eq!(refused(none), ValidationError::Ring(RingError::Empty));
-    assert_eq!(refused(ValidationPlan { steps: 0, ..good.clone() }), ValidationError::NoSteps);
+    assert_eq!(refused(none), InvalidOptions::Particles { particles: 0, least: 1 });
+    let not_positive = |name| InvalidOptions::NotPositive { name, value: 0.0 };
+    assert_eq!(refused(ValidationPlan { steps: 0, ..good.clone() }), not_positive("steps"));
     let still = ValidationPlan { courant_number: 0.0, ..good };
-    assert_eq!(refused(still), ValidationError::Method(MethodError::CourantNumber(0.0)));
+    assert_eq!(refused(still), not_positive("cfl"));
 }
