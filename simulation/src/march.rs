@@ -24,39 +24,23 @@ pub trait Evolution {
     }
 }
 
-/// When a run is given up.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Limits {
-    /// After so many steps, rejected ones included.
-    pub steps: usize,
-}
+/// Steps after which a run is given up, rejected ones included: nobody waits for more.
+pub const MOST_STEPS: usize = 1_000_000;
 
-impl Default for Limits {
-    /// Nobody waits for more steps than a million.
-    fn default() -> Self {
-        Self { steps: 1_000_000 }
+/// Refuses a run that would need more steps of the size of the first than [`MOST_STEPS`].
+///
+/// # Errors
+/// [`InvalidOptions::TooMuch`] with the number needed. A first step that is no step is told by the [`march`], as a failure.
+pub fn refuse_too_many<E: Evolution + ?Sized>(
+    evolution: &mut E,
+    end_time: f64,
+) -> Result<(), InvalidOptions> {
+    let needed = evolution.time_step().map_or(0.0, |step| end_time / step);
+    if needed.is_finite() && needed > MOST_STEPS as f64 {
+        let what = "steps of the size of the first";
+        return Err(InvalidOptions::TooMuch { what, needed, most: MOST_STEPS });
     }
-}
-
-impl Limits {
-    /// Refuses a run that would need more steps of the size of the first than anybody waits for.
-    ///
-    /// # Errors
-    /// [`InvalidOptions::TooMuch`] with the number needed. A first step that is no step is told by the [`march`], as a failure.
-    pub fn check<E: Evolution + ?Sized>(
-        self,
-        evolution: &mut E,
-        end_time: f64,
-    ) -> Result<(), InvalidOptions> {
-        let needed = evolution.time_step().map_or(0.0, |step| end_time / step);
-        match needed.is_finite() && needed > self.steps as f64 {
-            true => {
-                let what = "steps of the size of the first";
-                Err(InvalidOptions::TooMuch { what, needed, most: self.steps })
-            }
-            false => Ok(()),
-        }
-    }
+    Ok(())
 }
 
 /// How far a march came.
@@ -86,7 +70,7 @@ const MOST_HALVINGS: u32 = 30;
 /// Steps are summed with compensation: a thousand steps of a thousandth are the whole.
 ///
 /// ```
-/// use courant_simulation::march::{Evolution, Limits, march};
+/// use courant_simulation::march::{Evolution, march};
 /// use courant_simulation::run::Reason;
 /// use std::ops::ControlFlow;
 /// struct Decay(f64);
@@ -100,14 +84,14 @@ const MOST_HALVINGS: u32 = 30;
 ///     }
 /// }
 /// let mut state = Decay(1.0);
-/// let end = march(&mut state, 1.0, Limits { steps: 100 }, |_, _| ControlFlow::Continue(()));
+/// let end = march(&mut state, 1.0, 100, |_, _| ControlFlow::Continue(()));
 /// assert_eq!((end.time, end.steps, end.failure), (1.0, 10, None));
 /// assert!((state.0 - 0.9_f64.powi(10)).abs() < 1e-15);
 /// ```
 pub fn march<E: Evolution + ?Sized>(
     evolution: &mut E,
     end_time: f64,
-    limits: Limits,
+    most_steps: usize,
     mut observe: impl FnMut(&E, f64) -> ControlFlow<()>,
 ) -> March {
     let mut march = March { time: 0.0, steps: 0, rejected: 0, failure: None, cancelled: false };
@@ -118,7 +102,7 @@ pub fn march<E: Evolution + ?Sized>(
         let taken = evolution
             .time_step()
             .and_then(|wanted| next_step(left, wanted, end_time))
-            .and_then(|step| take(evolution, step, limits, &mut march));
+            .and_then(|step| take(evolution, step, most_steps, &mut march));
         match taken {
             Ok(step) if step == left => march.time = end_time,
             Ok(step) => {
@@ -162,13 +146,13 @@ fn next_step(left: f64, wanted: f64, end_time: f64) -> Result<f64, Reason> {
 fn take<E: Evolution + ?Sized>(
     evolution: &mut E,
     mut step: f64,
-    limits: Limits,
+    most_steps: usize,
     march: &mut March,
 ) -> Result<f64, Reason> {
     let mut halvings = 0;
     loop {
-        if march.steps + march.rejected >= limits.steps {
-            return Err(Reason::StepLimit { limit: limits.steps });
+        if march.steps + march.rejected >= most_steps {
+            return Err(Reason::StepLimit { limit: most_steps });
         }
         match evolution.advance(step) {
             Ok(()) => return Ok(step),
@@ -221,7 +205,7 @@ mod tests {
     }
 
     fn run(clock: &mut Clock, steps: usize) -> March {
-        march(clock, 1.0, Limits { steps }, |_, _| ControlFlow::Continue(()))
+        march(clock, 1.0, steps, |_, _| ControlFlow::Continue(()))
     }
 
     #[test]
@@ -232,7 +216,7 @@ mod tests {
             assert_eq!((end.steps, end.time, end.failure), (steps, 1.0, None));
         }
         let mut lengths = Vec::new();
-        march(&mut clock(0.3), 1.0, Limits { steps: 9 }, |state, _| {
+        march(&mut clock(0.3), 1.0, 9, |state, _| {
             lengths.push(state.now);
             ControlFlow::Continue(())
         });
@@ -273,7 +257,7 @@ mod tests {
         let stop = |_: &Clock, time: f64| {
             if time > 0.45 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let end = march(&mut clock(0.1), 1.0, Limits { steps: 100 }, stop);
+        let end = march(&mut clock(0.1), 1.0, 100, stop);
         assert!(end.cancelled && end.steps == 5 && end.failure.is_none());
     }
 }

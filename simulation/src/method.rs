@@ -3,7 +3,7 @@
 use crate::finite_volume::{FiniteVolumeOptions, Grid};
 use crate::lagrangian::flux::{Flux, ModifiedRoe};
 use crate::lagrangian::{LagrangianOptions, LagrangianScheme};
-use crate::march::Limits;
+use crate::march::refuse_too_many;
 use crate::particles::{self, MethodOptions, PairWork, ParticleMethod};
 use crate::run::{InvalidOptions, Lined, Reason, Run};
 use crate::scene::{Material, Scene};
@@ -236,7 +236,7 @@ impl Method {
                 Start { waiting: scheme.waiting(), evolution: Box::new(scheme) }
             }
         };
-        Limits::default().check(&mut *start.evolution, scene.end_time)?;
+        refuse_too_many(&mut *start.evolution, scene.end_time)?;
         Ok(start)
     }
 

@@ -7,7 +7,7 @@ use super::ring::Ring;
 use super::scene::AdvectionScene;
 use super::scheme::Discretisation;
 use super::stepper::Stepper;
-use crate::march::{Evolution, Limits, march};
+use crate::march::{Evolution, march};
 use crate::run::{
     Conservation, Counters, Failure, InvalidOptions, Penetration, Promise, Reason, Run, positive,
 };
@@ -164,8 +164,7 @@ pub fn run_with(
     stepper.set_state(&initial);
     let (end, step) = (scene.end_time, scene.end_time / total);
     let mut evolution = EqualSteps { stepper, step, taken: 0 };
-    let limits = Limits { steps: usize::MAX };
-    let mut march = march(&mut evolution, end, limits, |_, time| observe(time));
+    let mut march = march(&mut evolution, end, usize::MAX, |_, time| observe(time));
     // The last look was up to so many steps ago.
     if let (None, Err(reason)) = (march.failure, evolution.check()) {
         march.failure = Some(Failure { reason, time: march.time, step: march.steps });

@@ -3,7 +3,7 @@
 use super::measures::{Measure, Meter};
 use super::scene::{FieldFlow, FieldScene};
 use super::shear_viscosity::shear_response;
-use crate::march::Limits;
+use crate::march::refuse_too_many;
 use crate::particles::{
     Domain, Gas, MethodOptions, PairForce, PairLoops, ParticleEvolution, ParticleSystem, Particles,
     Smoothing, SmoothingKernel, Task, ThermalState, dispatch, dot, table,
@@ -150,7 +150,7 @@ impl<const D: usize> Task<D> for Plan<'_, D> {
         let mut history = vec![Sample { time: 0.0, measures: meter.measure(&system, 0.0) }];
         let table = table(options.integrator)?;
         let mut evolution = ParticleEvolution::stepped(system, force, options, &table);
-        Limits::default().check(&mut evolution, scene.end_time)?;
+        refuse_too_many(&mut evolution, scene.end_time)?;
         let observe = |state: &ParticleEvolution<D, G>, time: f64| {
             let due = history.len() as f64 * scene.end_time / f64::from(SAMPLES);
             if time >= due * (1.0 - 1e-9) {

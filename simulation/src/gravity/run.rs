@@ -6,7 +6,7 @@ use super::self_gravity::SelfGravity;
 use super::sink::{Sink, cross};
 use super::sphere::{ball, relax};
 use crate::boundary::Boundary;
-use crate::march::{Limits, march};
+use crate::march::{MOST_STEPS, march, refuse_too_many};
 use crate::particles::{
     Domain, Gas, Integrator, MethodOptions, PairLoops, PairWork, ParticleEvolution, ParticleSystem,
     Particles, Smoothing, SmoothingKernel, StepSharing, Task, ThermalState, Vector, dispatch, dot,
@@ -183,9 +183,8 @@ impl Plan<'_> {
         let table = table(options.integrator)?;
         let evolution = ParticleEvolution::stepped(system, force, options, &table);
         let mut evolution = evolution.under(gravity);
-        let limits = Limits::default();
         // This also finds the fields at the start.
-        limits.check(&mut evolution, cloud.end_time)?;
+        refuse_too_many(&mut evolution, cloud.end_time)?;
         let coarse = cloud.sink.and_then(|radius| coarse_sink(evolution.system(), radius));
         let mut core = Vec::new();
         let mut energies = vec![energies_of(&evolution, 0.0)];
@@ -206,7 +205,7 @@ impl Plan<'_> {
         let (mut kept, mut wave) = (Vec::new(), None);
         let end = cloud.end_time;
         core.extend(evolution.body().sink.map(|sink| [0.0, sink.mass]));
-        let march = march(&mut evolution, end, limits, |state, time| {
+        let march = march(&mut evolution, end, MOST_STEPS, |state, time| {
             core.extend(state.body().sink.map(|sink| [time, sink.mass]));
             if wave.is_none() && cloud.wave_time().is_some_and(|wanted| time >= wanted) {
                 wave = cloud.wave_measures(&snapshot(state, time));

@@ -27,7 +27,7 @@ pub enum Stepping<const D: usize, T> {
 /// ```
 /// use courant_analysis::kernel::Kernel;
 /// use courant_simulation::boundary::Boundary;
-/// use courant_simulation::march::{Limits, march};
+/// use courant_simulation::march::march;
 /// use courant_simulation::particles::*;
 /// use std::ops::ControlFlow;
 /// let force = Smoothed { form: PressureForm::Sum, viscosity: Viscosity::STANDARD };
@@ -48,7 +48,7 @@ pub enum Stepping<const D: usize, T> {
 /// );
 /// let heun = Integrator::named("rk2-heun").unwrap().nystrom().unwrap();
 /// let mut evolution = ParticleEvolution::global(system, Box::new(force), &heun, 0.3);
-/// let end = march(&mut evolution, 1.0, Limits { steps: 1000 }, |_, _| ControlFlow::Continue(()));
+/// let end = march(&mut evolution, 1.0, 1000, |_, _| ControlFlow::Continue(()));
 /// assert!(end.failure.is_none() && end.time == 1.0);
 /// // A uniform flow is carried along.
 /// assert!((evolution.system().particles.position[0][0] - 0.1).abs() < 1e-12);

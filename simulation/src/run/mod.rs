@@ -11,7 +11,7 @@ pub use options::InvalidOptions;
 pub(crate) use options::{not_negative, positive};
 pub use profile::Profile;
 
-use crate::march::{Evolution, Limits, March, march};
+use crate::march::{Evolution, MOST_STEPS, March, march};
 use std::ops::ControlFlow;
 
 /// A gas that marches: what a run needs to see of it.
@@ -189,7 +189,7 @@ impl<P> Run<P> {
     ) -> Self {
         let start = evolution.totals();
         let mut penetration = Penetration::default();
-        let march = march(evolution, end_time, Limits::default(), |state, time| {
+        let march = march(evolution, end_time, MOST_STEPS, |state, time| {
             penetration.at_end = state.out_of_order();
             penetration.largest = penetration.largest.max(penetration.at_end);
             observe(state, time)

@@ -2,7 +2,7 @@
 
 use super::pairs::{air, disordered};
 use crate::boundary::Boundary;
-use crate::march::{Limits, march};
+use crate::march::march;
 use crate::particles::*;
 use crate::riemann::ExactIdeal;
 use courant_analysis::kernel::Kernel;
@@ -89,8 +89,7 @@ fn blocks_conserve_in_a_plane_and_save_densities_searches_and_pairs() {
             None => ParticleEvolution::global(system, Box::new(force), &table, 0.3),
             Some(levels) => ParticleEvolution::blocks(system, Box::new(force), levels, 0.3),
         };
-        let limits = Limits { steps: 10_000 };
-        let end = march(&mut evolution, 0.008, limits, |_, _| ControlFlow::Continue(()));
+        let end = march(&mut evolution, 0.008, 10_000, |_, _| ControlFlow::Continue(()));
         assert_eq!(end.failure, None);
         let system = evolution.system();
         assert!(system.momentum().iter().all(|sum| sum.abs() < 1e-13));
