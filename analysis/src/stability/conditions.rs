@@ -135,15 +135,14 @@ impl Conditions {
         let common = greatest_common_divisor(&whole, &mirrored);
         let rest = whole.divide_exactly(&common).expect("a divisor divides").primitive();
         self.add_on_circle(common.coefficients(Variable::TIME), names, interest);
-        self.add_inside(rest.coefficients(Variable::TIME), on_circle, interest);
+        let rest = without_repetitions(rest).coefficients(Variable::TIME);
+        self.add_inside(rest, on_circle, interest);
     }
 
     /// Cohn: all roots of a self-inversive polynomial lie on the circle if and only if those of its derivative lie in the disc.
     fn add_on_circle(&mut self, coefficients: Vec<Laurent>, names: &Names, interest: &Interest) {
-        let mut whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
-        let derivative = whole.derivative(Variable::TIME);
-        let repeated = greatest_common_divisor(&whole, &derivative);
-        whole = whole.divide_exactly(&repeated).expect("a divisor divides");
+        let whole = Laurent::from_coefficients(&coefficients, Variable::TIME);
+        let whole = without_repetitions(whole);
         if whole.degree(Variable::TIME) > 0 {
             let derivative = whole.derivative(Variable::TIME).coefficients(Variable::TIME);
             self.add(derivative, true, names, interest);
@@ -179,6 +178,12 @@ fn without_content(coefficients: Vec<Laurent>) -> Vec<Laurent> {
     let whole = Laurent::from_coefficients(&coefficients, Variable::TIME).primitive();
     let content = whole.content(Variable::TIME);
     whole.divide_exactly(&content).expect("a content divides").coefficients(Variable::TIME)
+}
+
+/// With each of the roots once: their conditions are the same, and of smaller determinants.
+fn without_repetitions(whole: Laurent) -> Laurent {
+    let repeated = greatest_common_divisor(&whole, &whole.derivative(Variable::TIME));
+    whole.divide_exactly(&repeated).expect("a divisor divides")
 }
 
 /// The coefficients shifted so that each is a real function of the wave, if one shift serves all.

@@ -8,7 +8,7 @@ use super::stable_set::{StableInterval, StableSet};
 use super::wave::Wave;
 use super::{FIRST_PATIENCE, MAX_BOXES, MAX_PATIENCE, is_unstable_throughout, search_within};
 use crate::exact::bernstein::{MarginForm, Sign, Work};
-use crate::exact::rational::{Rational, from_f64, simplest_between, to_f64};
+use crate::exact::rational::{Rational, from_f64, simplest_between, to_f64, to_f64_below};
 use crate::stability::critical::{resolving_phases, sampled_unstable_set};
 use num_traits::{Signed, Zero};
 
@@ -19,9 +19,16 @@ pub(super) fn nowhere(dimension: usize) -> StableSet {
     StableSet { immediately_unstable: Some(wave), ..StableSet::empty(Evidence::Proved) }
 }
 
-/// Nothing is decided.
+/// Nothing is decided beyond what is known.
 pub(super) fn unknown(plan: &SearchPlan) -> StableSet {
-    StableSet { undecided: vec![(0.0, to_f64(&plan.max))], ..StableSet::empty(Evidence::Undecided) }
+    let open = (to_f64_below(&plan.known.clone().min(plan.max.clone())), to_f64(&plan.max));
+    let mut set = StableSet { undecided: vec![open], ..StableSet::empty(Evidence::Undecided) };
+    if plan.known.is_positive() {
+        let from = Limit::exactly(ExactValue::Fraction(Rational::zero()), Evidence::Proved);
+        let to = Limit::between(open.0, open.1, Evidence::Undecided);
+        set.intervals.push(StableInterval { from, to });
+    }
+    set
 }
 
 /// Everything from 0 on.

@@ -1,6 +1,6 @@
 //! Limits in two and three dimensions, with their waves and the work they take.
 
-use courant_analysis::exact::rational::ratio;
+use courant_analysis::exact::rational::{from_f64, integer, ratio};
 use courant_analysis::scheme::{Step, catalogue};
 use courant_analysis::stability::{Cause, Evidence, SearchPlan, StableSet};
 use std::f64::consts::PI;
@@ -100,6 +100,26 @@ fn a_small_budget_for_growth_has_its_exact_limit_and_wave() {
         let exact = ratio(1, 2) + growth / ratio(4, 1);
         assert_eq!(limit.exact().and_then(|value| value.as_fraction().cloned()), Some(exact));
         assert_eq!(limit.critical_wave().unwrap().phases(), [PI, 0.0]);
+    }
+}
+
+/// Fields that travel twice have double multipliers, which are asked about once. `z² − 2 b z + 1` with `b = 1 − 6 C²` at `(π, π, π)`: at
+/// `z = −r` with `r = 1 + ε` it is `6 C² = 1 + (r + 1/r)/2`.
+#[test]
+fn maxwell_s_equations_in_three_dimensions_have_their_budget_for_growth() {
+    let file = catalogue::scheme("yee-3d").unwrap();
+    let parameter = file.parameter.as_deref().unwrap();
+    let step = file.step(None, None, &[], Some(parameter)).unwrap();
+    for power in [3, 6] {
+        let growth = ratio(1, 10_i64.pow(power));
+        let limit = step.limit_by(parameter, &SearchPlan::default().growing(growth.clone()));
+        let limit = limit.unwrap();
+        let radius = integer(1) + growth;
+        let square = (integer(1) + (&radius + radius.recip()) / integer(2)) / integer(6);
+        let ends = [limit.lower(), limit.upper()];
+        let [low, high] = ends.map(|end| from_f64(end).unwrap());
+        assert!(&low * &low <= square && square <= &high * &high);
+        assert!(ends[1] - ends[0] < 1e-15, "{ends:?}");
     }
 }
 

@@ -213,3 +213,19 @@ fn of_real_coefficients_it_is_jurys_conditions_but_for_one_root_over_what_varies
     assert_eq!(asked("(1 + C)*u[n+1,j] = u[n,j]"), [Condition::Minor(1)]);
     assert_eq!(asked("u[n+1,j] = (1 - C)*u[n,j]"), [plus, minus]);
 }
+
+#[test]
+fn multipliers_that_come_several_times_are_asked_once() {
+    for text in [
+        "u[n+1,j] = u[n,j] - C*(u[n,j] - u[n,j-1])",
+        "u[n+1,j] = 2*u[n,j] - u[n-1,j] + C*(u[n,j+1] - 2*u[n,j] + u[n,j-1])",
+    ] {
+        let step = Step::from_text(text).unwrap();
+        let once = step.characteristic().unwrap();
+        let twice = &once * &once;
+        for growth in [integer(0), ratio(1, 10)] {
+            let of = |characteristic| Conditions::new(characteristic, &growth, step.names());
+            assert_eq!(of(&twice).requirements, of(&once).requirements, "{text}");
+        }
+    }
+}
