@@ -7,6 +7,7 @@ use super::run::Layout;
 use super::scheme::Discretisation;
 use super::stepper::Stepper;
 use crate::run::{InvalidOptions, positive};
+use crate::stepping::largest;
 use courant_analysis::exact::stencil::Stencil;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -109,16 +110,6 @@ pub(super) fn measure_amplification(
         }
     }
     sums.into_iter().map(|sum| sum / steps as f64).collect()
-}
-
-/// The largest of some errors; not a number if any of them is none.
-pub(super) fn largest(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(
-        0.0,
-        |worst: f64, error| {
-            if worst.is_nan() || error <= worst { worst } else { error }
-        },
-    )
 }
 
 fn tolerance(stencil: &Stencil<f64>, particles: usize) -> f64 {

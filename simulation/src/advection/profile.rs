@@ -42,8 +42,6 @@ pub struct Comparison {
     pub exact_total_variation: f64,
     /// Extrema of the computed profile.
     pub extrema: Extrema,
-    /// Extrema of the exact profile at the same particles.
-    pub exact_extrema: Extrema,
     /// Mean `Σ V u / Σ V` of the computed profile less that of the initial one.
     pub mean_drift: f64,
 }
@@ -63,7 +61,6 @@ impl Comparison {
             total_variation: total_variation(computed),
             exact_total_variation: total_variation(exact),
             extrema: Extrema::of(computed),
-            exact_extrema: Extrema::of(exact),
             mean_drift: average(&|i| computed[i] - initial[i]),
         }
     }

@@ -21,6 +21,7 @@ mod validation;
 
 pub use eigenvalues::eigenvalues;
 pub use lattice::PerAxis;
+pub(crate) use rounded::largest;
 pub use runs::Run;
 pub use torus_scheme::{Torus, TorusScheme};
 pub use validation::{Multiplier, Row, Validation, ValidationPlan, validate};

@@ -71,7 +71,7 @@ impl Div for Rounded {
 }
 
 /// The largest of some sizes, 0 of none; `f64::max` drops what is no number, this keeps it.
-pub(super) fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
     sizes.fold(0.0, |most: f64, next| if next > most || next.is_nan() { next } else { most })
 }
 
@@ -95,5 +95,12 @@ mod tests {
             let one = Rounded::nearest(value).power(-3) * Rounded::nearest(value).power(3);
             assert!((one + Rounded::exact(-1.0)).vanishes(), "{value}");
         }
+    }
+
+    #[test]
+    fn an_error_that_is_no_number_comes_out_on_top() {
+        assert_eq!(largest([1.0, 3.0, 2.0].into_iter()), 3.0);
+        assert!(largest([1.0, f64::NAN, 2.0].into_iter()).is_nan());
+        assert!(largest([f64::NAN].into_iter()).is_nan());
     }
 }
