@@ -67,12 +67,18 @@ pub fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &str) -> F
             format!("--integrator {name}: --levels needs centred-euler")
         }
         InvalidOptions::TooMuch { what, .. } => {
-            let time =
-                [("--time", arguments.time()), ("--periods", one(&arguments.advection.periods))];
-            let time = time.into_iter().find_map(|(option, value)| Some((option, value?)));
-            match time.filter(|_| *what == "steps") {
-                Some((option, value)) => format!("{option} {}: {error}", to_text(value)),
-                None => format!("SCENE {}, --method {method}: {error}", arguments.scene()),
+            let steps = [
+                ("--time", arguments.time()),
+                ("--periods", one(&arguments.advection.periods)),
+                ("--cfl", arguments.cfl()),
+            ];
+            let given = |(option, value): (_, Option<_>)| Some((option, value?));
+            let given = steps.into_iter().filter_map(given).filter(|_| what.starts_with("steps"));
+            let given: Vec<String> =
+                given.map(|(option, value)| format!("{option} {}", to_text(value))).collect();
+            match given.is_empty() {
+                false => format!("{}: {error}", given.join(", ")),
+                true => format!("SCENE {}, --method {method}: {error}", arguments.scene()),
             }
         }
         other => format!("--method {method}: {other}"),
