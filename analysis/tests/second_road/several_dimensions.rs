@@ -128,9 +128,11 @@ fn budgets_for_growth_and_windows() {
     let donor = "u[n+1,i,j] = u[n,i,j] - C*(u[n,i,j] - u[n,i-1,j]) - C*(u[n,i,j] - u[n,i,j-1])";
     let step = Step::from_text(donor).unwrap();
     // g(pi, pi) = 1 - 4C: |g| <= 1 + e up to C = 1/2 + e/4.
-    let plan = SearchPlan::default().growing(ratio(1, 10));
-    let limit = step.stable_set("C", &plan).unwrap().limit();
-    assert_eq!(limit.exact().unwrap().to_string(), "21/40");
+    for (power, exact) in [(1, "21/40"), (5, "200001/400000"), (6, "2000001/4000000")] {
+        let plan = SearchPlan::default().growing(ratio(1, 10_i64.pow(power)));
+        let limit = step.stable_set("C", &plan).unwrap().limit();
+        assert_eq!(limit.exact().unwrap().to_string(), exact);
+    }
     // Downwind in space, implicit in time, one axis after the other: the window [1, oo).
     let downwind = "(1 - C)^2*u[n+1,i,j] + C*(1 - C)*(u[n+1,i+1,j] + u[n+1,i,j+1]) + C^2*u[n+1,i+1,j+1] = u[n,i,j]";
     let set = Step::from_text(downwind).unwrap().stable_set("C", &SearchPlan::default()).unwrap();

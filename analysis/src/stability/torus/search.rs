@@ -14,15 +14,16 @@ use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::collections::VecDeque;
 
-/// Boxes of one decision, and of all together, of polynomials of moderate length; fewer of longer ones.
-const MOST_BOXES: usize = 4000;
+/// Boxes of one decision, and of all together, of polynomials of moderate length; fewer of longer ones. Where growth by ε is permitted, waves along
+/// a diagonal come within ε of the bound, and boxes about it have a breadth of `√ε`.
+const MOST_BOXES: usize = 40_000;
 const MOST_BOXES_IN_ALL: usize = 60_000;
 
 /// What is moderate: so many coefficients.
 const MODERATE: usize = 1000;
 
 /// Boxes for an exact limit.
-const EASY: usize = 2000;
+const EASY: usize = 40_000;
 
 /// What may be spent more on the last resort.
 const RESERVE: usize = 10_000;
