@@ -315,7 +315,7 @@ fn table(arguments: &Arguments, answer: &Answer) -> Table {
         let wave = wave_and_phase(wave);
         add(
             "nothing pulls back",
-            format!("{wave}: a disturbance drifts in proportion to the steps"),
+            format!("{wave}: a disturbance drifts, at least in proportion to the steps"),
         );
     }
     if let (Some(within), Some(growth)) = (answer.within, &arguments.growth) {

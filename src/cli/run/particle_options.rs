@@ -67,15 +67,17 @@ pub fn invalid(error: &InvalidOptions, arguments: &Arguments, method: &str) -> F
             format!("--integrator {name}: --levels needs centred-euler")
         }
         InvalidOptions::TooMuch { what, .. } => {
-            let steps = [
+            // What asks for it, of what was given.
+            let asking = [
                 ("--time", arguments.time()),
                 ("--periods", one(&arguments.advection.periods)),
-                ("--cfl", arguments.cfl()),
+                ("--cfl", arguments.cfl().filter(|_| what.starts_with("steps"))),
             ];
-            let given = |(option, value): (_, Option<_>)| Some((option, value?));
-            let given = steps.into_iter().filter_map(given).filter(|_| what.starts_with("steps"));
-            let given: Vec<String> =
-                given.map(|(option, value)| format!("{option} {}", to_text(value))).collect();
+            let asking = asking.into_iter();
+            let mut given: Vec<String> = asking
+                .filter_map(|(option, value)| Some(format!("{option} {}", to_text(value?))))
+                .collect();
+            given.extend(arguments.particles().map(|particles| format!("--particles {particles}")));
             match given.is_empty() {
                 false => format!("{}: {error}", given.join(", ")),
                 true => format!("SCENE {}, --method {method}: {error}", arguments.scene()),

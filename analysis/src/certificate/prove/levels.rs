@@ -20,6 +20,11 @@ pub(super) fn levels(
     growth: &Rational,
 ) -> Result<Vec<Level>, CertificationError> {
     let mut p = chi.with_growth(growth);
+    if growth.is_positive() && chi.dimension > 1 && repetitions(&p) > 1 {
+        return Err(CertificationError::NotWritten(
+            "multipliers come three times: with a permitted growth the checker's determinants are too long",
+        ));
+    }
     let mut levels = Vec::new();
     while p.len() > 1 {
         if proportional(&p, &reversed_conjugate(&p)) {
@@ -63,6 +68,17 @@ fn complete(levels: &[Level], circle: &[Poly<BigInt>]) -> Vec<Level> {
         p = if whole { derivative(&p) } else { Vec::new() };
     }
     levels
+}
+
+/// How many roots `χ` has beyond its different ones, whatever the wave; those with letters are not looked at.
+fn repetitions(p: &[Poly<BigInt>]) -> i16 {
+    if p.iter().flat_map(|c| c.0.keys()).any(|power| !power.letters.is_empty()) {
+        return 0;
+    }
+    let whole: Vec<Laurent> = p.iter().map(to_laurent).collect();
+    let whole = Laurent::from_coefficients(&whole, Variable::TIME);
+    let repeated = greatest_common_divisor(&whole, &whole.derivative(Variable::TIME));
+    repeated.degree(Variable::TIME)
 }
 
 fn is_real(p: &[Poly<BigInt>]) -> bool {
