@@ -15,7 +15,7 @@ use courant::simulation::scene::Quantity;
 /// Options of the advection scenes alone.
 #[derive(Debug, Clone, Args)]
 pub struct Options {
-    /// Advection: end time in periods of the unit interval, the same as --time (default: 1).
+    /// Advection: end time in periods, in each of which everything goes once round (default: the time of the scene).
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = numbers::running_positive, conflicts_with = "time")]
     pub periods: Option<Numbers>,
     /// Advection: where the particles are and which code steps them (default: uniform).
