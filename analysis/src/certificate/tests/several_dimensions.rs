@@ -53,6 +53,20 @@ fn what_no_certificate_can_state_is_said() {
     let subject = Subject::new(text, None, None, &step, "C").unwrap();
     let refused = certify(&subject, &step, &SearchPlan::default());
     assert!(refused.is_err(), "{refused:?}");
+    // Three equal equations have three equal multipliers; two are not too many.
+    let names = ["u", "v", "w"];
+    let equal = names.map(|name| {
+        "x[n+1,i,j] = x[n,i,j] - C*(2*x[n,i,j] - x[n,i-1,j] - x[n,i,j-1])".replace('x', name)
+    });
+    let certified = |count: usize| {
+        let text = equal[..count].join("; ");
+        let step = Step::from_text(&text).unwrap();
+        let subject = Subject::new(&text, None, None, &step, "C").unwrap();
+        certify(&subject, &step, &SearchPlan::default().growing(ratio(1, 1000)))
+    };
+    assert!(certified(2).is_ok());
+    let refused = certified(3).unwrap_err().to_string();
+    assert!(refused.contains("multipliers come three times"), "{refused}");
 }
 
 #[test]
